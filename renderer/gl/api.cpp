@@ -1,0 +1,70 @@
+#include "gl/api.h"
+
+#include <algorithm>
+
+#include "core/error.h"
+
+namespace halfsilver::gl {
+namespace {
+
+// Shaders bind at most this many buffers and textures at once.
+constexpr GLint kStorageBlocks = 16;
+constexpr GLint kTextureUnits = 16;
+
+std::string text(const Api& api, GLenum name) {
+  const GLubyte* value = api.GetString(name);
+  return value ? reinterpret_cast<const char*>(value) : "unknown";
+}
+
+void require(GLint value, GLint least, const char* what) {
+  if (value < least)
+    throw Error(ErrorKind::noContext, std::string("the GL device offers ") + std::to_string(value) + " " + what + ", " +
+                                          std::to_string(least) + " are needed");
+}
+
+Limits readLimits(const Api& api) {
+  Limits limits;
+  api.GetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &limits.storageBlockBytes);
+  api.GetInteger64v(GL_MAX_TEXTURE_BUFFER_SIZE, &limits.bufferTexels);
+  api.GetIntegerv(GL_MAX_TEXTURE_SIZE, &limits.textureSize);
+  api.GetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &limits.arrayLayers);
+  GLint width = 0, height = 0;
+  api.GetIntegerv(GL_MAX_FRAMEBUFFER_WIDTH, &width);
+  api.GetIntegerv(GL_MAX_FRAMEBUFFER_HEIGHT, &height);
+  limits.framebufferSize = std::min({width, height, limits.textureSize});
+  api.GetIntegerv(GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS, &limits.computeStorageBlocks);
+  api.GetIntegerv(GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS, &limits.fragmentStorageBlocks);
+  api.GetIntegerv(GL_MAX_TEXTURE_IMAGE_UNITS, &limits.textureUnits);
+  return limits;
+}
+
+}  // namespace
+
+Api Api::load(const GetProcAddress& getProcAddress) {
+  Api api;
+#define HALFSILVER_GL_LOAD(type, name)                                                                          \
+  api.name = reinterpret_cast<type>(getProcAddress("gl" #name));                                                \
+  if (!api.name) throw Error(ErrorKind::noContext, "the GL context has no function gl" #name " (OpenGL 4.5 is " \
+                                                                                             "needed)");
+  HALFSILVER_GL_FUNCTIONS(HALFSILVER_GL_LOAD)
+#undef HALFSILVER_GL_LOAD
+
+  api.vendor = text(api, GL_VENDOR);
+  api.renderer = text(api, GL_RENDERER);
+  api.version = text(api, GL_VERSION);
+  GLint major = 0, minor = 0;
+  api.GetIntegerv(GL_MAJOR_VERSION, &major);
+  api.GetIntegerv(GL_MINOR_VERSION, &minor);
+  if (major * 10 + minor < 45)
+    throw Error(ErrorKind::noContext, "the GL context is version " + std::to_string(major) + "." +
+                                          std::to_string(minor) + " (" + api.renderer + "), 4.5 is needed");
+  for (const char* name : {"llvmpipe", "softpipe", "SWR", "SwiftShader"})
+    api.software = api.software || api.renderer.find(name) != std::string::npos;
+  api.limits = readLimits(api);
+  require(api.limits.computeStorageBlocks, kStorageBlocks, "storage blocks in compute shaders");
+  require(api.limits.fragmentStorageBlocks, kStorageBlocks, "storage blocks in fragment shaders");
+  require(api.limits.textureUnits, kTextureUnits, "texture units");
+  return api;
+}
+
+}  // namespace halfsilver::gl

@@ -1,0 +1,66 @@
+#include "gl/profiler.h"
+
+#include <algorithm>
+
+namespace halfsilver::gl {
+namespace {
+
+// No section of a frame takes longer; some drivers now and then answer with garbage.
+constexpr double kAbsurdMilliseconds = 3600.0 * 1000.0;
+
+}  // namespace
+
+Profiler::~Profiler() {
+  for (Entry& entry : entries_) {
+    free_.push_back(entry.begin);
+    free_.push_back(entry.end);
+  }
+  if (!free_.empty()) api_->DeleteQueries(static_cast<GLsizei>(free_.size()), free_.data());
+}
+
+GLuint Profiler::stamp() {
+  if (free_.empty()) {
+    free_.resize(16);
+    api_->GenQueries(static_cast<GLsizei>(free_.size()), free_.data());
+  }
+  const GLuint query = free_.back();
+  free_.pop_back();
+  api_->QueryCounter(query, GL_TIMESTAMP);
+  return query;
+}
+
+Profiler::Scope::Scope(Profiler& profiler, std::string_view name)
+    : profiler_(profiler), index_(profiler.entries_.size()) {
+  profiler_.api_->PushDebugGroup(GL_DEBUG_SOURCE_APPLICATION, 0, static_cast<GLsizei>(name.size()), name.data());
+  profiler_.entries_.push_back({std::string(name), profiler_.stamp(), 0});
+}
+
+Profiler::Scope::~Scope() {
+  profiler_.entries_[index_].end = profiler_.stamp();
+  profiler_.api_->PopDebugGroup();
+}
+
+std::vector<SectionTime> Profiler::collect() {
+  std::vector<SectionTime> times;
+  for (const Entry& entry : entries_) {
+    GLuint64 begin = 0, end = 0;
+    api_->GetQueryObjectui64v(entry.begin, GL_QUERY_RESULT, &begin);
+    api_->GetQueryObjectui64v(entry.end, GL_QUERY_RESULT, &end);
+    free_.push_back(entry.begin);
+    free_.push_back(entry.end);
+    const double milliseconds = end >= begin ? static_cast<double>(end - begin) * 1e-6 : -1;
+    const bool absurd = milliseconds < 0 || milliseconds > kAbsurdMilliseconds;
+    const auto known =
+        std::find_if(times.begin(), times.end(), [&](const SectionTime& time) { return time.name == entry.name; });
+    if (known == times.end())
+      times.push_back({entry.name, absurd ? -1 : milliseconds});
+    else if (absurd || known->milliseconds < 0)
+      known->milliseconds = -1;
+    else
+      known->milliseconds += milliseconds;
+  }
+  entries_.clear();
+  return times;
+}
+
+}  // namespace halfsilver::gl

@@ -1,0 +1,94 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+// Every setting of the renderer, with its unit, range and default. Defaults live here and nowhere else; a preset in
+// config/ names only what it changes. Settings are read and written by name ("voxels.resolution") through the one
+// table in settings.cpp, which the command line, the configuration files and the statistics share.
+namespace halfsilver {
+
+enum class SelectMode { none, reflective, all };
+enum class VoxelRaster {
+  voxel,        // rasterized at voxel resolution, as the papers' separate pass would
+  abuffer,      // at A-buffer resolution
+  conservative  // every voxel that a triangle touches
+};
+enum class AxisRule {
+  normal,  // dominant component of the sum of signed normals (Kastrati & Goswami 2017)
+  area,    // dominant component of the sum of absolute normals
+  own      // each triangle in its own dominant axis; a voxel keeps a mask of the axes it holds
+};
+enum class Buffers { single, three };
+enum class Lists { pages, linked };
+enum class Method {
+  none,        // no tracing
+  attributes,  // A-buffer fragments with all surface attributes (Hu et al. 2014; Kastrati & Goswami 2017)
+  identity,    // A-buffer fragments that name their triangle; exact ray/triangle test
+  exact,       // CPU ray tracing through the caller's exact tracer (halfsilver::exact)
+  automatic    // identity on a GPU; exact on a software rasterizer where the caller has it
+};
+enum class TraceStage { compute, fragment };
+enum class ToneMap { filmic, none };
+
+struct Settings {
+  struct {
+    bool cullBackFaces = true;  // single-sided materials are invisible from behind, to the camera and to rays
+  } scene;
+  struct {
+    SelectMode mode = SelectMode::reflective;
+    float fraction = 1.0f;      // 0..1, share of the selected pixels that is kept, scattered evenly
+    float maxRoughness = 0.4f;  // 0..1, reflectivity fades from 1 at roughness 0 to 0 here
+    float minReflectivity = 0;  // 0..1, pixels at or below are not selected
+  } select;
+  struct {
+    int resolution = 128;  // voxels along each axis, 1..512
+    VoxelRaster raster = VoxelRaster::conservative;
+    AxisRule axis = AxisRule::own;
+  } voxels;
+  struct {
+    int resolution = 512;  // texels along each axis, 1..4096
+    int pageSize = 4;      // entries a page, 1..64
+    Buffers buffers = Buffers::single;
+    Lists lists = Lists::pages;
+    bool sorted = false;  // entries of a texel sorted by depth after the build
+  } abuffer;
+  struct {
+    int steps = 0;        // linear steps in a voxel, 0..64; 0: full 2D-DDA
+    int refinements = 6;  // binary search steps after a crossing, 0..32
+  } search;
+  struct {
+    Method method = Method::identity;
+    int bounces = 1;  // 1..16
+    TraceStage stage = TraceStage::compute;
+  } trace;
+  struct {
+    int resolution = 1024;   // texels, of each shadow map, 16..8192
+    int skyDirections = 12;  // shadowed directions that stand for the sky, 0..32; 0: unshadowed sky light
+  } shadow;
+  struct {
+    float exposure = 0;  // stops, -20..20
+    ToneMap toneMap = ToneMap::filmic;
+  } image;
+};
+
+struct SettingInfo {
+  enum class Kind { boolean, integer, real, choice };
+  std::string name;   // "section.key"
+  std::string value;  // as it would be written after --set
+  Kind kind = Kind::real;
+  double low = 0, high = 0;          // inclusive, for numbers
+  std::vector<std::string> choices;  // for choices
+  std::string help;                  // one line, with the unit
+};
+
+// All settings with their present values, in a fixed order.
+std::vector<SettingInfo> describe(const Settings& settings);
+
+// Sets one value by name. Throws Error (badInput) for an unknown name, a value of the wrong kind or out of range; the
+// message says which, with the range or the choices.
+void set(Settings& settings, std::string_view name, std::string_view value);
+
+}  // namespace halfsilver
