@@ -1,0 +1,15 @@
+# Debian's OpenImageIO target names an include folder (opencv4) that its packages do not bring, and CMake refuses a
+# target with a missing folder: only folders that exist are kept.
+foreach(property IN ITEMS INTERFACE_INCLUDE_DIRECTORIES INTERFACE_SYSTEM_INCLUDE_DIRECTORIES)
+  get_target_property(folders OpenImageIO::OpenImageIO ${property})
+  set(existing)
+  if(NOT folders)
+    continue()
+  endif()
+  foreach(folder IN LISTS folders)
+    if(EXISTS "${folder}")
+      list(APPEND existing "${folder}")
+    endif()
+  endforeach()
+  set_target_properties(OpenImageIO::OpenImageIO PROPERTIES ${property} "${existing}")
+endforeach()

@@ -1,0 +1,37 @@
+# How the project's own targets are made.
+
+# Language level and warnings of our own code; nothing of it reaches those who link.
+function(halfsilver_own_code target)
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  target_compile_options(${target} PRIVATE
+    $<$<CXX_COMPILER_ID:GNU,Clang>:-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror>)
+  target_link_options(${target} PRIVATE $<$<PLATFORM_ID:Linux>:LINKER:--as-needed>)
+endfunction()
+
+# A static library halfsilver_<name>, alias halfsilver::<name>, of all sources in the named rooms of renderer/ and
+# their folders. A room without sources makes no target.
+function(halfsilver_library name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "ROOMS")
+  set(sources)
+  foreach(room IN LISTS arg_ROOMS)
+    if(room STREQUAL ".")
+      file(GLOB found CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/renderer/*.cpp)
+    else()
+      file(GLOB_RECURSE found CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/renderer/${room}/*.cpp)
+    endif()
+    list(APPEND sources ${found})
+  endforeach()
+  if(NOT sources)
+    return()
+  endif()
+  set(target halfsilver_${name})
+  add_library(${target} STATIC ${sources})
+  add_library(halfsilver::${name} ALIAS ${target})
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
+  halfsilver_own_code(${target})
+  target_include_directories(${target} PUBLIC
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/renderer>
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/shaders>
+    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>
+    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/halfsilver>)
+endfunction()
