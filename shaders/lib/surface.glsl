@@ -1,0 +1,130 @@
+// What a material looks like at one point of a triangle: used by the G-buffer and by every traced hit.
+#include "lib/textures.glsl"
+
+struct Surface {
+  vec3 position;
+  vec3 geometricNormal;  // faces the viewer
+  vec3 normal;           // shading normal, faces the viewer
+  vec3 baseColor;
+  vec3 emissive;
+  vec3 f0;  // reflectance at normal incidence
+  float roughness;
+  float metallic;
+  float occlusion;
+  float reflectivity;  // luminance of f0, faded by roughness; 0 for unlit
+  bool unlit;
+};
+
+float luminance(vec3 color) { return dot(color, vec3(0.2126, 0.7152, 0.0722)); }
+
+// From 1 at roughness 0 to 0 at select.max_roughness.
+float roughnessFade(float roughness) {
+  if (frame.maxRoughness <= 0.0) return roughness <= 0.0 ? 1.0 : 0.0;
+  return clamp(1.0 - roughness / frame.maxRoughness, 0.0, 1.0);
+}
+
+// Turns a normal that faces away from the viewer just past the silhouette.
+vec3 faceViewer(vec3 normal, vec3 direction) {
+  const float grazing = 1e-3;
+  float away = dot(normal, direction);
+  return away > -grazing ? normalize(normal - (away + grazing) * direction) : normal;
+}
+
+// Change of the barycentrics (u, v) along a vector in the triangle's plane; `area` is cross(edge1, edge2).
+vec2 barycentricChange(vec3 edge1, vec3 edge2, vec3 area, vec3 along) {
+  return vec2(dot(cross(along, edge2), area), dot(cross(edge1, along), area)) / max(dot(area, area), 1e-37);
+}
+
+// The two axes of the ellipse that a cone of the given width cuts out of the surface (Akenine-Moller, Crassin,
+// Boksansky, Belcour, Panteleev, Wright, "Improved Shader and Texture Level of Detail Using Ray Cones", JCGT 2021).
+void coneFootprint(vec3 normal, vec3 direction, float width, out vec3 major, out vec3 minor) {
+  vec3 along = direction - dot(normal, direction) * normal;
+  // Straight on, any axis will do.
+  if (dot(along, along) < 1e-8) along = abs(normal.x) < 0.7 ? cross(normal, vec3(1, 0, 0)) : cross(normal, vec3(0, 1, 0));
+  vec3 across = cross(normal, along);
+  major = along * (width / max(length(along - dot(direction, along) * direction), 1e-4 * length(along)));
+  minor = across * (width / max(length(across - dot(direction, across) * direction), 1e-4 * length(across)));
+}
+
+// direction: unit, travelling towards the surface. coneWidth: diameter of the ray's cone at the surface, metres.
+Surface evaluateSurface(uint triangle, vec2 barycentrics, vec3 direction, float coneWidth) {
+  uvec4 corners = triangles[triangle];
+  vec3 a, b, c;
+  trianglePositions(triangle, a, b, c);
+  vec3 edge1 = b - a, edge2 = c - a;
+  vec3 weights = vec3(1.0 - barycentrics.x - barycentrics.y, barycentrics);
+
+  Surface s;
+  s.position = a + barycentrics.x * edge1 + barycentrics.y * edge2;
+  vec3 area = cross(edge1, edge2);
+  float doubleArea = length(area);
+  s.geometricNormal = doubleArea > 0.0 ? area / doubleArea : -direction;
+  if (dot(s.geometricNormal, direction) > 0.0) s.geometricNormal = -s.geometricNormal;
+
+  mat3x4 normalU = mat3x4(attributes[corners.x].normalU, attributes[corners.y].normalU, attributes[corners.z].normalU);
+  mat3x4 uvs = mat3x4(attributes[corners.x].uv, attributes[corners.y].uv, attributes[corners.z].uv);
+  mat3x4 tangents = mat3x4(attributes[corners.x].tangent, attributes[corners.y].tangent, attributes[corners.z].tangent);
+  vec4 vertexColor = mat3x4(attributes[corners.x].color, attributes[corners.y].color, attributes[corners.z].color) *
+                     weights;
+  vec4 normalU0 = normalU * weights;
+  vec4 uv = uvs * weights;
+  vec4 tangent = tangents * weights;
+
+  vec3 major, minor;
+  coneFootprint(s.geometricNormal, direction, coneWidth, major, minor);
+  vec2 changeX = barycentricChange(edge1, edge2, area, major);
+  vec2 changeY = barycentricChange(edge1, edge2, area, minor);
+  // Both uv sets, xy and zw, and their edges.
+  vec4 coordinates = vec4(normalU0.w, uv.xyz);
+  vec4 uvEdge1 = vec4(normalU[1].w - normalU[0].w, uvs[1].xyz - uvs[0].xyz);
+  vec4 uvEdge2 = vec4(normalU[2].w - normalU[0].w, uvs[2].xyz - uvs[0].xyz);
+  vec4 ddx = changeX.x * uvEdge1 + changeX.y * uvEdge2;
+  vec4 ddy = changeY.x * uvEdge1 + changeY.y * uvEdge2;
+
+  uint m = corners.w;
+  uint flags = materials[m].flags;
+  bool mirror = (flags & MATERIAL_MIRROR) != 0u;
+  vec4 texels[7];
+  // A loop over the uses keeps the sampling code, eight samplers each, in the program once.
+  for (int use = 0; use < 7; ++use) {
+    GpuTexture binding = materials[m].textures[use];
+    bool second = (binding.sampling & SAMPLING_UV_SET) != 0u;
+    texels[use] = vec4(1.0);
+    if (hasTexture(binding))
+      texels[use] = second ? sampleTexture(binding, coordinates.zw, ddx.zw, ddy.zw)
+                           : sampleTexture(binding, coordinates.xy, ddx.xy, ddy.xy);
+  }
+
+  s.unlit = (flags & MATERIAL_UNLIT) != 0u;
+  s.baseColor = (materials[m].baseColor * vertexColor * texels[TEXTURE_BASE_COLOR]).rgb;
+  s.emissive = materials[m].emissiveCutoff.rgb * texels[TEXTURE_EMISSIVE].rgb;
+  s.roughness = clamp(materials[m].roughness * texels[TEXTURE_METALLIC_ROUGHNESS].g, 0.0, 1.0);
+  s.metallic = clamp(materials[m].metallic * texels[TEXTURE_METALLIC_ROUGHNESS].b, 0.0, 1.0);
+  s.occlusion = 1.0 + materials[m].occlusionStrength * (texels[TEXTURE_OCCLUSION].r - 1.0);
+  vec3 dielectric = min(materials[m].dielectricF0 * materials[m].specular.rgb * texels[TEXTURE_SPECULAR_COLOR].rgb,
+                        vec3(1.0)) *
+                    (materials[m].specular.w * texels[TEXTURE_SPECULAR].a);
+  s.f0 = mix(dielectric, s.baseColor, s.metallic);
+
+  // Degenerate attributes fall back to the triangle itself.
+  vec3 normal = dot(normalU0.xyz, normalU0.xyz) > 1e-12 ? normalize(normalU0.xyz) : s.geometricNormal;
+  float side = dot(normal, s.geometricNormal) < 0.0 ? -1.0 : 1.0;
+  if (mirror) {
+    s.f0 = vec3(materials[m].mirror);
+    s.roughness = 0.0;
+    s.metallic = 0.0;
+  } else if (materials[m].textures[TEXTURE_NORMAL].location != NO_TEXTURE) {
+    vec3 mapped = texels[TEXTURE_NORMAL].xyz * 2.0 - 1.0;
+    mapped.xy *= materials[m].normalScale;
+    vec3 along = tangent.xyz - dot(tangent.xyz, normal) * normal;
+    if (dot(along, along) > 1e-12) {
+      along = normalize(along);
+      vec3 bitangent = cross(normal, along) * (tangent.w < 0.0 ? -1.0 : 1.0);
+      vec3 bumped = mapped.x * along + mapped.y * bitangent + mapped.z * normal;
+      if (dot(bumped, bumped) > 1e-12) normal = normalize(bumped);
+    }
+  }
+  s.normal = faceViewer(side * normal, direction);
+  s.reflectivity = s.unlit ? 0.0 : luminance(s.f0) * roughnessFade(s.roughness);
+  return s;
+}
