@@ -23,6 +23,8 @@ using GetProcAddress = std::function<Proc(const char* name)>;
   X(PFNGLGETINTEGER64VPROC, GetInteger64v)                               \
   X(PFNGLGETINTEGER64I_VPROC, GetInteger64i_v)                           \
   X(PFNGLGETFLOATVPROC, GetFloatv)                                       \
+  X(PFNGLGETFLOATI_VPROC, GetFloati_v)                                   \
+  X(PFNGLGETDOUBLEI_VPROC, GetDoublei_v)                                 \
   X(PFNGLGETBOOLEANVPROC, GetBooleanv)                                   \
   X(PFNGLGETBOOLEANI_VPROC, GetBooleani_v)                               \
   X(PFNGLISENABLEDPROC, IsEnabled)                                       \
@@ -36,9 +38,11 @@ using GetProcAddress = std::function<Proc(const char* name)>;
   X(PFNGLVIEWPORTPROC, Viewport)                                         \
   X(PFNGLVIEWPORTINDEXEDFPROC, ViewportIndexedf)                         \
   X(PFNGLSCISSORPROC, Scissor)                                           \
+  X(PFNGLSCISSORINDEXEDPROC, ScissorIndexed)                             \
   X(PFNGLDEPTHFUNCPROC, DepthFunc)                                       \
   X(PFNGLDEPTHMASKPROC, DepthMask)                                       \
   X(PFNGLCOLORMASKPROC, ColorMask)                                       \
+  X(PFNGLCOLORMASKIPROC, ColorMaski)                                     \
   X(PFNGLDEPTHRANGEPROC, DepthRange)                                     \
   X(PFNGLDEPTHRANGEINDEXEDPROC, DepthRangeIndexed)                       \
   X(PFNGLCLIPCONTROLPROC, ClipControl)                                   \
@@ -46,8 +50,11 @@ using GetProcAddress = std::function<Proc(const char* name)>;
   X(PFNGLFRONTFACEPROC, FrontFace)                                       \
   X(PFNGLPOLYGONMODEPROC, PolygonMode)                                   \
   X(PFNGLPOLYGONOFFSETPROC, PolygonOffset)                               \
+  X(PFNGLPROVOKINGVERTEXPROC, ProvokingVertex)                           \
   X(PFNGLBLENDFUNCSEPARATEPROC, BlendFuncSeparate)                       \
+  X(PFNGLBLENDFUNCSEPARATEIPROC, BlendFuncSeparatei)                     \
   X(PFNGLBLENDEQUATIONSEPARATEPROC, BlendEquationSeparate)               \
+  X(PFNGLBLENDEQUATIONSEPARATEIPROC, BlendEquationSeparatei)             \
   X(PFNGLPIXELSTOREIPROC, PixelStorei)                                   \
   X(PFNGLCREATEBUFFERSPROC, CreateBuffers)                               \
   X(PFNGLDELETEBUFFERSPROC, DeleteBuffers)                               \
@@ -74,6 +81,7 @@ using GetProcAddress = std::function<Proc(const char* name)>;
   X(PFNGLGETTEXTUREIMAGEPROC, GetTextureImage)                           \
   X(PFNGLCLEARTEXIMAGEPROC, ClearTexImage)                               \
   X(PFNGLBINDTEXTUREUNITPROC, BindTextureUnit)                           \
+  X(PFNGLBINDTEXTUREPROC, BindTexture)                                   \
   X(PFNGLBINDIMAGETEXTUREPROC, BindImageTexture)                         \
   X(PFNGLACTIVETEXTUREPROC, ActiveTexture)                               \
   X(PFNGLCREATESAMPLERSPROC, CreateSamplers)                             \
@@ -115,6 +123,7 @@ using GetProcAddress = std::function<Proc(const char* name)>;
   X(PFNGLGETPROGRAMIVPROC, GetProgramiv)                                 \
   X(PFNGLGETPROGRAMINFOLOGPROC, GetProgramInfoLog)                       \
   X(PFNGLUSEPROGRAMPROC, UseProgram)                                     \
+  X(PFNGLBINDPROGRAMPIPELINEPROC, BindProgramPipeline)                   \
   X(PFNGLGETUNIFORMLOCATIONPROC, GetUniformLocation)                     \
   X(PFNGLPROGRAMUNIFORM1IPROC, ProgramUniform1i)                         \
   X(PFNGLPROGRAMUNIFORM1UIPROC, ProgramUniform1ui)                       \

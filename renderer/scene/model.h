@@ -38,6 +38,7 @@ struct Instance {
   std::vector<MorphTarget> targets;
   std::vector<glm::uvec4> joints;  // empty or one a vertex
   std::vector<glm::vec4> weights;  // sum 1
+  bool flatNormals = false;  // vertices 3k .. 3k + 2 are one triangle, whose normal follows its deformed corners
 };
 
 struct Skin {
@@ -76,9 +77,18 @@ struct DropCounts {
   std::uint64_t nonFinite = 0;   // a vertex is NaN or infinite
 };
 
+// What a range of the flattened triangles comes from, for reports. Degenerate triangles are not counted.
+struct Part {
+  std::string node, mesh;  // names, or "node 3", "mesh 1" where the file gives none
+  int primitive = 0;       // within the mesh
+  std::uint32_t firstTriangle = 0, triangleCount = 0;
+  std::uint32_t material = 0;
+};
+
 struct Model {
   Scene scene;  // at rest
   Rig rig;      // instances are empty where nothing can move
+  std::vector<Part> parts;  // in the order of the triangles
   DropCounts dropped;
   std::vector<std::string> warnings;  // one line each
 };

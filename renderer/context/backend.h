@@ -1,0 +1,23 @@
+#pragma once
+
+#include <memory>
+
+#include "context/context.h"
+
+namespace halfsilver {
+
+// One way to a context. A backend is current when it has been made.
+class Context::Backend {
+ public:
+  virtual ~Backend() = default;
+  virtual const char* name() const = 0;
+  virtual Proc (*getProcAddress() const)(const char*) = 0;
+  virtual void makeCurrent() = 0;
+  virtual void release() = 0;
+};
+
+// Both throw Error (noContext) with what is missing.
+std::unique_ptr<Context::Backend> makeEgl(const ContextOptions& options);
+std::unique_ptr<Context::Backend> makeOsmesa(const ContextOptions& options);
+
+}  // namespace halfsilver

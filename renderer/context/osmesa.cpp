@@ -1,0 +1,87 @@
+#include <array>
+#include <string>
+
+#include "context/backend.h"
+#include "context/library.h"
+#include "core/error.h"
+
+namespace halfsilver {
+namespace {
+
+// The few names of GL/osmesa.h that are needed: Mesa 25.1 dropped the header together with the library.
+constexpr int kFormat = 0x22;
+constexpr int kRgba = 0x1908;
+constexpr int kDepthBits = 0x30;
+constexpr int kStencilBits = 0x31;
+constexpr int kAccumBits = 0x32;
+constexpr int kProfile = 0x33;
+constexpr int kCoreProfile = 0x34;
+constexpr int kMajorVersion = 0x36;
+constexpr int kMinorVersion = 0x37;
+constexpr unsigned kUnsignedByte = 0x1401;
+
+struct Functions {
+  void* (*createContextAttribs)(const int* attributes, void* shared);
+  void (*destroyContext)(void* context);
+  unsigned char (*makeCurrent)(void* context, void* buffer, unsigned type, int width, int height);
+  void* (*getCurrentContext)();
+  Context::Proc (*getProcAddress)(const char* name);
+};
+
+Functions load(const Library& library) {
+  Functions osmesa{};
+  library.load(osmesa.createContextAttribs, "OSMesaCreateContextAttribs");
+  library.load(osmesa.destroyContext, "OSMesaDestroyContext");
+  library.load(osmesa.makeCurrent, "OSMesaMakeCurrent");
+  library.load(osmesa.getCurrentContext, "OSMesaGetCurrentContext");
+  library.load(osmesa.getProcAddress, "OSMesaGetProcAddress");
+  return osmesa;
+}
+
+class OsmesaBackend : public Context::Backend {
+ public:
+  explicit OsmesaBackend(const Functions& functions) : osmesa_(functions) {
+    const int attributes[] = {kFormat,  kRgba,        kDepthBits,    0, kStencilBits,  0, kAccumBits, 0,
+                              kProfile, kCoreProfile, kMajorVersion, 4, kMinorVersion, 5, 0,          0};
+    context_ = osmesa_.createContextAttribs(attributes, nullptr);
+    if (!context_) throw Error(ErrorKind::noContext, "the driver makes no OpenGL 4.5 core context");
+    try {
+      OsmesaBackend::makeCurrent();
+    } catch (...) {
+      osmesa_.destroyContext(context_);
+      throw;
+    }
+  }
+  ~OsmesaBackend() override {
+    OsmesaBackend::release();
+    osmesa_.destroyContext(context_);
+  }
+
+  const char* name() const override { return "osmesa"; }
+  Context::Proc (*getProcAddress() const)(const char*) override { return osmesa_.getProcAddress; }
+
+  void makeCurrent() override {
+    if (!osmesa_.makeCurrent(context_, pixels_.data(), kUnsignedByte, kSize, kSize))
+      throw Error(ErrorKind::noContext, "the context cannot be made current");
+  }
+  void release() override {
+    if (osmesa_.getCurrentContext() == context_) osmesa_.makeCurrent(nullptr, nullptr, kUnsignedByte, 0, 0);
+  }
+
+ private:
+  // OSMesa insists on a buffer for the default framebuffer, which nothing draws to.
+  static constexpr int kSize = 16;
+  Functions osmesa_;
+  std::array<unsigned char, kSize * kSize * 4> pixels_{};
+  void* context_ = nullptr;
+};
+
+}  // namespace
+
+std::unique_ptr<Context::Backend> makeOsmesa(const ContextOptions& options) {
+  const Library library =
+      options.osmesaLibrary.empty() ? Library({"libOSMesa.so.8", "libOSMesa.so.6"}) : Library({options.osmesaLibrary});
+  return std::make_unique<OsmesaBackend>(load(library));
+}
+
+}  // namespace halfsilver

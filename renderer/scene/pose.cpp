@@ -1,0 +1,263 @@
+#include "scene/pose.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <glm/gtc/matrix_transform.hpp>
+#include <string>
+
+#include "core/error.h"
+#include "scene/tangents.h"
+
+namespace halfsilver {
+namespace {
+
+static_assert(sizeof(Vertex) == 18 * sizeof(float), "vertices are compared as bytes");
+
+// Value of a channel at a time, clamped to its first and last key.
+std::vector<double> sample(const Channel& channel, double time) {
+  const bool cubic = channel.interpolation == Interpolation::cubicSpline;
+  const std::size_t keys = channel.times.size();
+  const std::size_t width = keys ? channel.values.size() / (keys * (cubic ? 3 : 1)) : 0;
+  std::vector<double> result(width);
+  if (!width) return result;
+  // part 0: in-tangent, 1: value, 2: out-tangent; without tangents the value is part 0.
+  const auto at = [&](std::size_t key, std::size_t part, std::size_t component) {
+    return static_cast<double>(channel.values[(cubic ? key * 3 + part : key) * width + component]);
+  };
+  const auto upper = std::upper_bound(channel.times.begin(), channel.times.end(), time,
+                                      [](double t, float key) { return t < static_cast<double>(key); });
+  const auto next = static_cast<std::size_t>(upper - channel.times.begin());
+  if (next == 0 || next == keys || channel.interpolation == Interpolation::step) {
+    const std::size_t key = next == 0 ? 0 : next - 1;
+    for (std::size_t c = 0; c < width; ++c) result[c] = at(key, 1, c);
+    return result;
+  }
+  const std::size_t key = next - 1;
+  const double span = static_cast<double>(channel.times[next]) - static_cast<double>(channel.times[key]);
+  const double t = (time - static_cast<double>(channel.times[key])) / span;
+  if (cubic) {
+    const double t2 = t * t, t3 = t2 * t;
+    for (std::size_t c = 0; c < width; ++c)
+      result[c] = (2 * t3 - 3 * t2 + 1) * at(key, 1, c) + span * (t3 - 2 * t2 + t) * at(key, 2, c) +
+                  (3 * t2 - 2 * t3) * at(next, 1, c) + span * (t3 - t2) * at(next, 0, c);
+  } else if (channel.property == AnimatedProperty::rotation && width == 4) {
+    const auto quaternion = [&](std::size_t k) {
+      return glm::normalize(glm::dquat(at(k, 1, 3), at(k, 1, 0), at(k, 1, 1), at(k, 1, 2)));
+    };
+    const glm::dquat q = glm::slerp(quaternion(key), quaternion(next), t);
+    result = {q.x, q.y, q.z, q.w};
+  } else {
+    for (std::size_t c = 0; c < width; ++c) result[c] = (1 - t) * at(key, 1, c) + t * at(next, 1, c);
+  }
+  return result;
+}
+
+glm::dmat4 localMatrix(const Node& node) {
+  if (node.hasMatrix) return node.matrix;
+  glm::dmat4 matrix = glm::mat4_cast(node.rotation);
+  for (int axis = 0; axis < 3; ++axis) matrix[axis] *= node.scale[axis];
+  matrix[3] = glm::dvec4(node.translation, 1);
+  return matrix;
+}
+
+void apply(const Channel& channel, double time, Node& node, std::vector<double>& weights) {
+  const std::vector<double> value = sample(channel, time);
+  switch (channel.property) {
+    case AnimatedProperty::translation:
+      if (value.size() == 3) node.translation = {value[0], value[1], value[2]};
+      break;
+    case AnimatedProperty::scale:
+      if (value.size() == 3) node.scale = {value[0], value[1], value[2]};
+      break;
+    case AnimatedProperty::rotation:
+      if (value.size() == 4) {
+        const glm::dquat q(value[3], value[0], value[1], value[2]);
+        const double length = glm::length(q);
+        if (length > 0) node.rotation = q / length;
+      }
+      break;
+    case AnimatedProperty::weights:
+      weights = value;
+      break;
+  }
+}
+
+// The matrix of each joint, from the skin's bind pose to the world.
+std::vector<glm::dmat4> jointMatrices(const Rig& rig, const Instance& instance, const PoseState& state) {
+  std::vector<glm::dmat4> matrices;
+  if (instance.skin < 0) return matrices;
+  const Skin& skin = rig.skins[static_cast<std::size_t>(instance.skin)];
+  for (std::size_t j = 0; j < skin.joints.size(); ++j)
+    matrices.push_back(state.world[static_cast<std::size_t>(skin.joints[j])] * skin.inverseBind[j]);
+  return matrices;
+}
+
+// One vertex's way from its rest to the world.
+struct Placer {
+  const Instance& instance;
+  const glm::dmat4& node;
+  const std::vector<double>& weights;
+  std::vector<glm::dmat4> joints;
+
+  Placer(const Rig& rig, const Instance& placed, const PoseState& state)
+      : instance(placed),
+        node(state.world[static_cast<std::size_t>(placed.node)]),
+        weights(state.weights[static_cast<std::size_t>(placed.node)]),
+        joints(jointMatrices(rig, placed, state)) {}
+
+  glm::dmat4 matrix(std::size_t vertex) const {
+    if (joints.empty()) return node;
+    glm::dmat4 sum(0);
+    for (int k = 0; k < 4; ++k)
+      if (const double weight = instance.weights[vertex][k]; weight != 0)
+        sum += weight * joints[instance.joints[vertex][k]];
+    return sum;
+  }
+
+  glm::dvec3 morphed(glm::dvec3 value, std::size_t vertex,
+                     std::vector<glm::vec3> Instance::MorphTarget::*attribute) const {
+    for (std::size_t k = 0; k < std::min(weights.size(), instance.targets.size()); ++k)
+      if (const auto& deltas = instance.targets[k].*attribute; !deltas.empty() && weights[k] != 0)
+        value += weights[k] * glm::dvec3(deltas[vertex]);
+    return value;
+  }
+
+  glm::dvec3 position(std::size_t vertex, const glm::dmat4& toWorld) const {
+    return toWorld *
+           glm::dvec4(morphed(instance.rest[vertex].position, vertex, &Instance::MorphTarget::positions), 1);
+  }
+};
+
+// Carries normals without a division by the determinant, so that flattening matrices work: the inverse transpose times
+// the absolute determinant.
+glm::dmat3 normalMatrix(const glm::dmat3& m, double sign) {
+  return glm::dmat3(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1])) * sign;
+}
+
+// Unit, or the fallback where the vector is zero or not finite. Scaled first: squares of tiny matrices underflow.
+glm::dvec3 unit(const glm::dvec3& v, const glm::dvec3& fallback) {
+  const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+  if (!(largest > 0) || !std::isfinite(largest)) return fallback;
+  return glm::normalize(v / largest);
+}
+
+double signOf(double determinant) { return determinant < 0 ? -1.0 : 1.0; }
+
+}  // namespace
+
+PoseState evaluate(const Rig& rig, double seconds, int animation) {
+  if (!std::isfinite(seconds)) throw Error(ErrorKind::usage, "the time of an animation must be finite");
+  std::vector<Node> nodes = rig.nodes;
+  PoseState state;
+  for (const Node& node : nodes) state.weights.emplace_back(node.weights.begin(), node.weights.end());
+  if (animation >= 0 && !rig.animations.empty()) {
+    if (static_cast<std::size_t>(animation) >= rig.animations.size())
+      throw Error(ErrorKind::usage, "there is no animation " + std::to_string(animation) + ", the scene has " +
+                                        std::to_string(rig.animations.size()));
+    const Animation& played = rig.animations[static_cast<std::size_t>(animation)];
+    const double duration = played.duration;
+    const double time = duration > 0 ? seconds - duration * std::floor(seconds / duration) : 0;
+    for (const Channel& channel : played.channels) {
+      const auto node = static_cast<std::size_t>(channel.node);
+      apply(channel, time, nodes[node], state.weights[node]);
+    }
+  }
+  for (const Node& node : nodes) {
+    const glm::dmat4 local = localMatrix(node);
+    state.world.push_back(node.parent < 0 ? local : state.world[static_cast<std::size_t>(node.parent)] * local);
+  }
+  return state;
+}
+
+std::vector<glm::dmat4> worldMatrices(const Rig& rig, double seconds, int animation) {
+  return evaluate(rig, seconds, animation).world;
+}
+
+bool mirrored(const Instance& instance, const PoseState& state) {
+  return instance.skin < 0 && glm::determinant(glm::dmat3(state.world[static_cast<std::size_t>(instance.node)])) < 0;
+}
+
+std::vector<glm::dvec3> worldPositions(const Rig& rig, const Instance& instance, const PoseState& state) {
+  const Placer placer(rig, instance, state);
+  std::vector<glm::dvec3> positions;
+  positions.reserve(instance.rest.size());
+  for (std::size_t i = 0; i < instance.rest.size(); ++i) positions.push_back(placer.position(i, placer.matrix(i)));
+  return positions;
+}
+
+void place(const Rig& rig, const Instance& instance, const PoseState& state, const glm::dvec3& origin,
+           std::span<Vertex> vertices) {
+  const Placer placer(rig, instance, state);
+  const double flip = mirrored(instance, state) ? -1 : 1;
+  std::array<glm::dvec3, 3> corners;
+  glm::dvec3 flat(0, 1, 0);
+  for (std::size_t i = 0; i < instance.rest.size(); ++i) {
+    const Vertex& rest = instance.rest[i];
+    const glm::dmat4 matrix = placer.matrix(i);
+    const glm::dmat3 linear(matrix);
+    const double sign = signOf(glm::determinant(linear));
+    Vertex& vertex = vertices[i];
+    vertex = rest;
+    vertex.position = glm::vec3(placer.position(i, matrix) - origin);
+
+    glm::dvec3 normal;
+    if (instance.flatNormals) {
+      if (i % 3 == 0 && i + 2 < instance.rest.size()) {
+        for (std::size_t k = 0; k < 3; ++k) corners[k] = placer.position(i + k, placer.matrix(i + k));
+        flat = unit(flip * glm::cross(corners[1] - corners[0], corners[2] - corners[0]), {0, 1, 0});
+      }
+      normal = flat;
+    } else {
+      const glm::dvec3 local = placer.morphed(rest.normal, i, &Instance::MorphTarget::normals);
+      normal = unit(normalMatrix(linear, sign) * local, {0, 1, 0});
+    }
+    const glm::dvec3 along =
+        linear * placer.morphed(glm::dvec3(rest.tangent), i, &Instance::MorphTarget::tangents);
+    const glm::dvec3 tangent = unit(along, glm::dvec3(0));
+    vertex.normal = glm::vec3(normal);
+    vertex.tangent = glm::vec4(glm::vec3(unit(tangent - normal * glm::dot(normal, tangent),
+                                              glm::dvec3(anyPerpendicular(vertex.normal)))),
+                               static_cast<float>(sign) * rest.tangent.w);
+  }
+}
+
+void follow(Camera& camera, const glm::dmat4& world, const glm::dvec3& origin) {
+  const float distance = glm::length(camera.target - camera.eye);
+  const glm::dvec3 forward = unit(-glm::dvec3(world[2]), {0, 0, -1});
+  camera.eye = glm::vec3(glm::dvec3(world[3]) - origin);
+  camera.target = camera.eye + distance * glm::vec3(forward);
+  camera.up = glm::vec3(unit(glm::dvec3(world[1]), {0, 1, 0}));
+}
+
+void follow(Light& light, const glm::dmat4& world, const glm::dvec3& origin) {
+  light.position = glm::vec3(glm::dvec3(world[3]) - origin);
+  light.direction = glm::vec3(unit(-glm::dvec3(world[2]), {0, 0, -1}));
+}
+
+std::vector<VertexRange> pose(Model& model, double seconds, int animation) {
+  const PoseState state = evaluate(model.rig, seconds, animation);
+  Scene& scene = model.scene;
+  std::vector<VertexRange> ranges;
+  std::vector<Vertex> moved;
+  for (const Instance& instance : model.rig.instances) {
+    moved.resize(instance.rest.size());
+    place(model.rig, instance, state, scene.origin, moved);
+    Vertex* const old = scene.vertices.data() + instance.firstVertex;
+    if (moved.empty() || std::memcmp(old, moved.data(), moved.size() * sizeof(Vertex)) == 0) continue;
+    std::copy(moved.begin(), moved.end(), old);
+    if (!ranges.empty() && ranges.back().first + ranges.back().count == instance.firstVertex)
+      ranges.back().count += instance.vertexCount;
+    else
+      ranges.push_back({instance.firstVertex, instance.vertexCount});
+  }
+  for (std::size_t i = 0; i < model.rig.lightNodes.size(); ++i)
+    if (const int node = model.rig.lightNodes[i]; node >= 0)
+      follow(scene.lights[i], state.world[static_cast<std::size_t>(node)], scene.origin);
+  for (std::size_t i = 0; i < model.rig.cameraNodes.size(); ++i)
+    if (const int node = model.rig.cameraNodes[i]; node >= 0)
+      follow(scene.cameras[i], state.world[static_cast<std::size_t>(node)], scene.origin);
+  return ranges;
+}
+
+}  // namespace halfsilver
