@@ -31,5 +31,5 @@ configure_package_config_file(config/halfsilver-config.cmake.in ${CMAKE_CURRENT_
 write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/halfsilver-config-version.cmake
                                  COMPATIBILITY SameMinorVersion)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/halfsilver-config.cmake
-              ${CMAKE_CURRENT_BINARY_DIR}/halfsilver-config-version.cmake config/openimageio_target.cmake
+              ${CMAKE_CURRENT_BINARY_DIR}/halfsilver-config-version.cmake
         DESTINATION ${package_folder} COMPONENT renderer)

@@ -6,12 +6,15 @@ function(halfsilver_own_code target)
   target_compile_options(${target} PRIVATE
     $<$<CXX_COMPILER_ID:GNU,Clang>:-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror>)
   target_link_options(${target} PRIVATE $<$<PLATFORM_ID:Linux>:LINKER:--as-needed>)
+  # Where programs find the module halfsilver_openimageio.
+  set_target_properties(${target} PROPERTIES BUILD_RPATH ${PROJECT_BINARY_DIR}
+                                             INSTALL_RPATH "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}")
 endfunction()
 
 # A static library halfsilver_<name>, alias halfsilver::<name>, of all sources in the named rooms of renderer/ and
-# their folders. A room without sources makes no target.
+# their folders, without the files in EXCLUDE (paths below renderer/). A room without sources makes no target.
 function(halfsilver_library name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "ROOMS")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "ROOMS;EXCLUDE")
   set(sources)
   foreach(room IN LISTS arg_ROOMS)
     if(room STREQUAL ".")
@@ -21,6 +24,8 @@ function(halfsilver_library name)
     endif()
     list(APPEND sources ${found})
   endforeach()
+  list(TRANSFORM arg_EXCLUDE PREPEND ${PROJECT_SOURCE_DIR}/renderer/)
+  list(REMOVE_ITEM sources ${arg_EXCLUDE})
   if(NOT sources)
     return()
   endif()

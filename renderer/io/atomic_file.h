@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <string_view>
+
+namespace halfsilver {
+
+// A file that appears complete or not at all: it is written under a temporary name in the folder of its target and
+// renamed by commit(); without commit() the temporary is removed. Move-only.
+//
+// Every function throws Error (failed) with one line that names the target.
+class AtomicFile {
+ public:
+  // Checks at once that the folder takes new files, and that the target is not a folder or a device, so that long work
+  // is not done in vain. A target that is a symbolic link stays one; the file behind it is replaced.
+  explicit AtomicFile(const std::filesystem::path& target);
+  ~AtomicFile();
+  AtomicFile(AtomicFile&& other) noexcept;
+  AtomicFile& operator=(AtomicFile&& other) noexcept;
+  AtomicFile(const AtomicFile&) = delete;
+  AtomicFile& operator=(const AtomicFile&) = delete;
+
+  // Replaces the temporary's contents.
+  void write(std::span<const std::byte> bytes);
+  void write(std::string_view text);
+  // Renames the temporary to the target. Call after write().
+  void commit();
+
+ private:
+  void removeTemporary() noexcept;
+
+  std::filesystem::path shown_;   // as the caller named it
+  std::filesystem::path target_;  // links resolved
+  std::filesystem::path temporary_;
+  bool written_ = false;
+};
+
+}  // namespace halfsilver

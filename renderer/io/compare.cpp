@@ -1,0 +1,122 @@
+#include "io/compare.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "core/error.h"
+
+namespace halfsilver {
+namespace {
+
+[[noreturn]] void reject(const std::string& what) { throw Error(ErrorKind::badInput, what); }
+
+std::string sizeText(const Image& image) { return std::to_string(image.width) + "x" + std::to_string(image.height); }
+
+// R, G and B alone; grey is spread to all three.
+Image colors(const Image& image, const char* which) {
+  const int grey = image.channel("Y");
+  const char* names[] = {"R", "G", "B"};
+  Image result{image.width, image.height, {"R", "G", "B"}, {}};
+  result.data.resize(image.pixelCount() * 3);
+  std::size_t bad = 0;
+  for (std::size_t c = 0; c < 3; ++c) {
+    const int source = image.channel(names[c]) >= 0 ? image.channel(names[c]) : grey;
+    if (source < 0) reject(std::string("the ") + which + " has no channel " + names[c]);
+    for (std::size_t p = 0; p < image.pixelCount(); ++p) {
+      const float value = image.data[p * image.channels.size() + static_cast<std::size_t>(source)];
+      bad += !std::isfinite(value);
+      result.data[p * 3 + c] = value;
+    }
+  }
+  if (bad > 0)
+    reject("the " + std::string(which) + " holds " + std::to_string(bad) + " colour values that are not finite");
+  return result;
+}
+
+// One channel of an image, by pixel.
+class Plane {
+ public:
+  Plane(const Image& image, const char* name)
+      : data_(image.data), stride_(image.channels.size()), channel_(static_cast<std::size_t>(image.channel(name))) {}
+  float operator[](std::size_t pixel) const { return data_[pixel * stride_ + channel_]; }
+
+ private:
+  const std::vector<float>& data_;
+  std::size_t stride_, channel_;
+};
+
+bool hasLayers(const Image& image) {
+  return image.channel("selected.Y") >= 0 && image.channel("hit.T") >= 0 && image.channel("hit.id") >= 0;
+}
+
+double sceneDiagonal(const ImageFile& image, const ImageFile& reference, std::optional<double> given) {
+  if (given) return *given;
+  if (!image.diagonal && !reference.diagonal)
+    throw Error(ErrorKind::usage,
+                "neither file says the scene's diagonal (attribute halfsilver:diagonal): give it with --diagonal");
+  const double a = image.diagonal.value_or(*reference.diagonal);
+  const double b = reference.diagonal.value_or(a);
+  if (!(std::abs(a - b) <= 1e-3 * std::max(a, b)))
+    reject("the files are of different scenes: their diagonals are " + std::to_string(a) + " and " + std::to_string(b) +
+           " m");
+  return b;
+}
+
+LayerComparison compareLayers(const Image& image, const Image& reference, double diagonal) {
+  const Plane selected(image, "selected.Y"), referenceSelected(reference, "selected.Y");
+  const Plane t(image, "hit.T"), referenceT(reference, "hit.T");
+  const Plane id(image, "hit.id"), referenceId(reference, "hit.id");
+  LayerComparison result;
+  std::uint64_t error = 0, miss = 0, falseHit = 0, wrongId = 0, mismatch = 0, overflow = 0;
+  for (std::size_t p = 0; p < image.pixelCount(); ++p) {
+    const bool a = selected[p] > 0.5f, b = referenceSelected[p] > 0.5f;
+    if (!a && !b) continue;
+    ++result.pixels;
+    const bool hit = t[p] >= 0, referenceHit = referenceT[p] >= 0;
+    const bool far = hit && referenceHit && std::abs(double(t[p]) - referenceT[p]) > 1e-3 * diagonal;
+    error += hit != referenceHit || far;
+    miss += referenceHit && !hit;
+    falseHit += hit && !referenceHit;
+    wrongId += hit && referenceHit && id[p] != referenceId[p];
+    mismatch += a != b;
+    overflow += t[p] == -3.0f;
+  }
+  const auto share = [&](std::uint64_t count) {
+    return result.pixels ? static_cast<double>(count) / static_cast<double>(result.pixels) : 0.0;
+  };
+  result.hitError = share(error);
+  result.falseMiss = share(miss);
+  result.falseHit = share(falseHit);
+  result.wrongId = share(wrongId);
+  result.selectedMismatch = share(mismatch);
+  result.overflow = share(overflow);
+  return result;
+}
+
+}  // namespace
+
+Comparison compareImages(const ImageFile& image, const ImageFile& reference, std::optional<double> diagonal) {
+  if (image.image.width != reference.image.width || image.image.height != reference.image.height)
+    reject("the image is " + sizeText(image.image) + ", the reference " + sizeText(reference.image));
+  if (image.linear != reference.linear)
+    reject("one file holds linear radiance, the other display values: compare like with like");
+  const Image a = colors(image.image, "image"), b = colors(reference.image, "reference");
+  Comparison result;
+  double sum = 0, peak = 1;
+  for (std::size_t i = 0; i < a.data.size(); ++i) {
+    const double difference = std::abs(double(a.data[i]) - double(b.data[i]));
+    sum += difference * difference;
+    result.maxError = std::max(result.maxError, difference);
+    peak = std::max({peak, double(a.data[i]), double(b.data[i])});
+  }
+  result.rmse = std::sqrt(sum / static_cast<double>(a.data.size()));
+  result.psnrDb = result.rmse > 0 ? 20 * std::log10(peak / result.rmse) : std::numeric_limits<double>::infinity();
+  result.perceptual = comparePerceptually(a, b);
+  if (hasLayers(image.image) && hasLayers(reference.image))
+    result.layers = compareLayers(image.image, reference.image, sceneDiagonal(image, reference, diagonal));
+  return result;
+}
+
+}  // namespace halfsilver

@@ -1,0 +1,27 @@
+#include "io/gltf_document.h"
+
+#include <algorithm>
+
+#include "core/error.h"
+
+namespace halfsilver::gltf {
+
+void Diagnostics::fail(const std::string& what, const std::string& where) const {
+  std::string message = file + ": " + what + (where.empty() ? "" : ": " + where);
+  std::replace_if(
+      message.begin(), message.end(), [](unsigned char c) { return c < 32 || c == 127; }, ' ');
+  throw Error(ErrorKind::badInput, message);
+}
+
+void Diagnostics::warn(const std::string& text) {
+  if (std::find(warnings.begin(), warnings.end(), text) == warnings.end()) warnings.push_back(text);
+}
+
+void Diagnostics::spend(std::uint64_t elements, const std::string& where) {
+  if (elements > budget) fail("unfolds to more data than is allowed", where);
+  budget -= elements;
+}
+
+std::string item(const char* list, std::size_t index) { return std::string(list) + "[" + std::to_string(index) + "]"; }
+
+}  // namespace halfsilver::gltf

@@ -1,0 +1,166 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "scene/model.h"
+
+// A glTF file as plain data, free of the parser's types. Only JSON types have been checked: whoever follows an index
+// does so with get(), whoever reads a buffer does so with gltf_accessors.
+namespace halfsilver::gltf {
+
+struct BufferView {
+  int buffer = -1;
+  std::size_t offset = 0, length = 0, stride = 0;  // bytes; stride 0: tightly packed
+};
+
+struct Sparse {
+  std::size_t count = 0;
+  int indexView = -1, indexType = 0, valueView = -1;
+  std::size_t indexOffset = 0, valueOffset = 0;
+};
+
+struct Accessor {
+  int view = -1;  // -1: zeros
+  std::size_t offset = 0, count = 0;
+  int componentType = 0;  // glTF's number, 5126 is float
+  int components = 0;     // of an element
+  bool normalized = false;
+  std::optional<Sparse> sparse;
+};
+
+struct Primitive {
+  std::map<std::string, int> attributes;
+  std::vector<std::map<std::string, int>> targets;
+  int indices = -1, material = -1, mode = 4;
+};
+
+struct Mesh {
+  std::string name;
+  std::vector<Primitive> primitives;
+  std::vector<double> weights;
+};
+
+struct Node {
+  std::string name;
+  std::vector<int> children;
+  int mesh = -1, skin = -1, camera = -1, light = -1;
+  std::vector<double> translation, rotation, scale, matrix, weights;  // empty where absent
+};
+
+struct TextureInfo {
+  int texture = -1;
+  int texCoord = 0;
+  glm::dvec2 offset{0}, scale{1};  // KHR_texture_transform
+  double rotation = 0;             // radians
+};
+
+struct MaterialInfo {
+  Material material;  // without its textures
+  std::string alphaMode;
+  TextureInfo baseColor, metallicRoughness, normal, occlusion, emissive, specular, specularColor;
+};
+
+struct Sampler {
+  int magFilter = -1, minFilter = -1, wrapS = 10497, wrapT = 10497;
+};
+
+struct TextureSource {
+  int sampler = -1, image = -1;
+};
+
+struct ImageSource {
+  std::string name;                 // for messages
+  int view = -1;                    // -1: `bytes`
+  std::vector<std::uint8_t> bytes;  // encoded; empty where the file could not be read
+};
+
+struct Skin {
+  std::vector<int> joints;
+  int inverseBind = -1;
+};
+
+struct Channel {
+  int node = -1, sampler = -1;
+  std::string path;
+};
+
+struct AnimationSampler {
+  int input = -1, output = -1;
+  std::string interpolation;
+};
+
+struct Animation {
+  std::string name;
+  std::vector<Channel> channels;
+  std::vector<AnimationSampler> samplers;
+};
+
+struct CameraInfo {
+  std::string name;
+  bool perspective = false;
+  double yfov = 0, znear = 0, zfar = 0;  // zfar 0: none
+};
+
+struct LightInfo {
+  std::string type;
+  std::vector<double> color;
+  double intensity = 1, range = 0, innerConeAngle = 0, outerConeAngle = 0;
+};
+
+struct Document {
+  std::string sceneName;
+  std::vector<std::string> extensionsUsed, extensionsRequired;
+  std::vector<std::vector<std::uint8_t>> buffers;
+  std::vector<BufferView> views;
+  std::vector<Accessor> accessors;
+  std::vector<Mesh> meshes;
+  std::vector<Node> nodes;
+  std::vector<MaterialInfo> materials;
+  std::vector<Sampler> samplers;
+  std::vector<TextureSource> textures;
+  std::vector<ImageSource> images;
+  std::vector<Skin> skins;
+  std::vector<Animation> animations;
+  std::vector<CameraInfo> cameras;
+  std::vector<LightInfo> lights;
+  std::optional<std::vector<int>> sceneNodes;  // none: every root
+};
+
+// Where messages go, and what a file may still ask for.
+struct Diagnostics {
+  std::string file;
+  std::vector<std::string> warnings;
+  // Elements that accessors may still unfold to; small files can name the same bytes any number of times.
+  std::uint64_t budget = std::uint64_t{1} << 30;
+
+  // Throws Error (badInput): "file: what: where".
+  [[noreturn]] void fail(const std::string& what, const std::string& where) const;
+  void warn(const std::string& text);  // said once
+  void spend(std::uint64_t elements, const std::string& where);
+};
+
+// "meshes[3]"
+std::string item(const char* list, std::size_t index);
+
+// The element that an index of the file names.
+template <class T>
+const T& get(const std::vector<T>& list, int index, const char* name, const Diagnostics& diagnostics,
+             const std::string& where) {
+  if (index < 0 || static_cast<std::size_t>(index) >= list.size())
+    diagnostics.fail("names " + std::string(name) + "[" + std::to_string(index) + "], there are " +
+                         std::to_string(list.size()),
+                     where);
+  return list[static_cast<std::size_t>(index)];
+}
+
+// Decodes PNG or JPEG into RGBA8; false where it does not decode. Stands beside the parser, whose decoder it uses.
+bool decodeImage(std::span<const std::uint8_t> bytes, Texture& texture);
+
+}  // namespace halfsilver::gltf

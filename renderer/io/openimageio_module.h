@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+
+#include "io/images.h"
+
+// What images.cpp asks of the module halfsilver_openimageio, which it opens with dlopen. Both sides are built together,
+// so C++ types cross the boundary; only the two names are C.
+namespace halfsilver {
+
+inline constexpr const char* kOpenImageIoModule = "libhalfsilver_openimageio.so";
+inline constexpr const char* kReadFunction = "halfsilver_openimageio_read";
+inline constexpr const char* kCompareFunction = "halfsilver_openimageio_compare";
+
+// Returns false with one line in `problem`; throws nothing but std::bad_alloc.
+using OpenImageIoRead = bool(const std::string& file, ImageFile& result, std::string& problem);
+using OpenImageIoCompare = bool(const Image& image, const Image& reference, PerceptualDifference& result);
+
+}  // namespace halfsilver

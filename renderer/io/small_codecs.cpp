@@ -1,0 +1,233 @@
+#include "io/small_codecs.h"
+
+#include <tinyexr.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <cstring>
+#include <limits>
+#include <memory>
+#include <numeric>
+
+#define STB_IMAGE_IMPLEMENTATION
+#define STB_IMAGE_STATIC
+#define STBI_NO_GIF
+#include <stb_image.h>
+#define STB_IMAGE_WRITE_IMPLEMENTATION
+#define STB_IMAGE_WRITE_STATIC
+#include <stb_image_write.h>
+
+namespace halfsilver {
+namespace {
+
+constexpr const char* kDiagonal = "halfsilver:diagonal";
+constexpr double kMostValues = 1 << 30;
+
+struct Freed {
+  void operator()(void* memory) const { std::free(memory); }
+};
+
+std::string takeMessage(const char* message, const char* otherwise) {
+  std::string text = message ? message : otherwise;
+  if (message) FreeEXRErrorMessage(message);
+  return text.substr(0, text.find('\n'));
+}
+
+bool isExr(std::span<const std::uint8_t> bytes) {
+  const std::uint8_t magic[] = {0x76, 0x2f, 0x31, 0x01};
+  return bytes.size() > 8 && std::equal(std::begin(magic), std::end(magic), bytes.begin());
+}
+
+struct ExrHeader : EXRHeader {
+  ExrHeader() { InitEXRHeader(this); }
+  ~ExrHeader() { FreeEXRHeader(this); }
+  ExrHeader(const ExrHeader&) = delete;
+  ExrHeader& operator=(const ExrHeader&) = delete;
+};
+
+struct ExrImage : EXRImage {
+  ExrImage() { InitEXRImage(this); }
+  ~ExrImage() { FreeEXRImage(this); }
+  ExrImage(const ExrImage&) = delete;
+  ExrImage& operator=(const ExrImage&) = delete;
+};
+
+bool decodeExr(std::span<const std::uint8_t> bytes, ImageFile& result, std::string& problem) {
+  EXRVersion version;
+  if (ParseEXRVersionFromMemory(&version, bytes.data(), bytes.size()) != TINYEXR_SUCCESS || version.multipart ||
+      version.non_image || version.tiled) {
+    problem = "only flat scanline EXR files can be read without OpenImageIO";
+    return false;
+  }
+  ExrHeader header;
+  const char* message = nullptr;
+  if (ParseEXRHeaderFromMemory(&header, &version, bytes.data(), bytes.size(), &message) != TINYEXR_SUCCESS) {
+    problem = takeMessage(message, "not a valid EXR header");
+    return false;
+  }
+  const double columns = double(header.data_window.max_x) - header.data_window.min_x + 1;
+  const double rows = double(header.data_window.max_y) - header.data_window.min_y + 1;
+  if (columns < 1 || rows < 1 || columns * rows * header.num_channels > kMostValues) {
+    problem = "not an image of a usable size";
+    return false;
+  }
+  for (int c = 0; c < header.num_channels; ++c) {
+    if (header.channels[c].x_sampling != 1 || header.channels[c].y_sampling != 1) {
+      problem = "subsampled channels can be read only with OpenImageIO";
+      return false;
+    }
+    if (header.pixel_types[c] == TINYEXR_PIXELTYPE_HALF) header.requested_pixel_types[c] = TINYEXR_PIXELTYPE_FLOAT;
+  }
+  ExrImage decoded;
+  if (LoadEXRImageFromMemory(&decoded, &header, bytes.data(), bytes.size(), &message) != TINYEXR_SUCCESS) {
+    problem = takeMessage(message, "the pixels do not decode");
+    return false;
+  }
+  Image image{decoded.width, decoded.height, {}, {}};
+  const auto channels = static_cast<std::size_t>(decoded.num_channels);
+  image.data.resize(image.pixelCount() * channels);
+  for (std::size_t c = 0; c < channels; ++c) {
+    image.channels.emplace_back(header.channels[c].name);
+    const bool whole = header.pixel_types[c] == TINYEXR_PIXELTYPE_UINT;
+    for (std::size_t p = 0; p < image.pixelCount(); ++p) {
+      std::uint32_t bits = 0;
+      std::memcpy(&bits, decoded.images[c] + 4 * p, 4);
+      float value = static_cast<float>(bits);
+      if (!whole) std::memcpy(&value, &bits, 4);
+      image.data[p * channels + c] = value;
+    }
+  }
+  for (int a = 0; a < header.num_custom_attributes; ++a) {
+    const EXRAttribute& attribute = header.custom_attributes[a];
+    if (std::strcmp(attribute.name, kDiagonal) != 0 || attribute.size != 4) continue;
+    float value = 0;
+    std::memcpy(&value, attribute.value, 4);
+    result.diagonal = value;
+  }
+  result.image = std::move(image);
+  result.linear = true;
+  return true;
+}
+
+template <class T>
+void takePixels(const T* pixels, float scale, Image& image) {
+  image.data.resize(image.pixelCount() * image.channels.size());
+  for (std::size_t i = 0; i < image.data.size(); ++i) image.data[i] = static_cast<float>(pixels[i]) * scale;
+}
+
+bool decodeStb(std::span<const std::uint8_t> bytes, ImageFile& result, std::string& problem) {
+  const auto* data = bytes.data();
+  const int size = static_cast<int>(bytes.size());
+  int width = 0, height = 0, channels = 0;
+  if (!stbi_info_from_memory(data, size, &width, &height, &channels)) {
+    problem = std::string("not an image: ") + stbi_failure_reason();
+    return false;
+  }
+  if (double(width) * height * channels > kMostValues) {
+    problem = "not an image of a usable size";
+    return false;
+  }
+  const bool hdr = stbi_is_hdr_from_memory(data, size);
+  const bool deep = !hdr && stbi_is_16_bit_from_memory(data, size);
+  std::unique_ptr<void, Freed> pixels;
+  if (hdr)
+    pixels.reset(stbi_loadf_from_memory(data, size, &width, &height, &channels, 0));
+  else if (deep)
+    pixels.reset(stbi_load_16_from_memory(data, size, &width, &height, &channels, 0));
+  else
+    pixels.reset(stbi_load_from_memory(data, size, &width, &height, &channels, 0));
+  if (!pixels) {
+    problem = std::string("does not decode: ") + stbi_failure_reason();
+    return false;
+  }
+  const std::vector<std::string> names[] = {{"Y"}, {"Y", "A"}, {"R", "G", "B"}, {"R", "G", "B", "A"}};
+  Image image{width, height, names[channels - 1], {}};
+  if (hdr)
+    takePixels(static_cast<const float*>(pixels.get()), 1, image);
+  else if (deep)
+    takePixels(static_cast<const std::uint16_t*>(pixels.get()), 1.0f / 65535, image);
+  else
+    takePixels(static_cast<const std::uint8_t*>(pixels.get()), 1.0f / 255, image);
+  result.image = std::move(image);
+  result.linear = hdr;
+  return true;
+}
+
+}  // namespace
+
+bool decodeSmall(std::span<const std::uint8_t> bytes, ImageFile& result, std::string& problem) {
+  if (bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) {
+    problem = "the file is larger than 2 GiB";
+    return false;
+  }
+  return isExr(bytes) ? decodeExr(bytes, result, problem) : decodeStb(bytes, result, problem);
+}
+
+std::vector<std::byte> encodeSmallPng(int width, int height, std::span<const std::uint8_t> rgba) {
+  std::vector<std::byte> bytes;
+  const auto append = [](void* context, void* data, int size) {
+    const auto* first = static_cast<const std::byte*>(data);
+    auto& out = *static_cast<std::vector<std::byte>*>(context);
+    out.insert(out.end(), first, first + size);
+  };
+  if (!stbi_write_png_to_func(append, &bytes, width, height, 4, rgba.data(), width * 4)) bytes.clear();
+  return bytes;
+}
+
+bool encodeSmallExr(const Image& image, std::optional<double> diagonal, std::vector<std::byte>& bytes,
+                    std::string& problem) {
+  const std::size_t count = image.channels.size();
+  std::vector<std::size_t> order(count);
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return image.channels[a] < image.channels[b]; });
+
+  // tinyexr wants planes; the header's arrays are this function's, so the header is not freed by the library.
+  std::vector<std::vector<float>> planes(count, std::vector<float>(image.pixelCount()));
+  std::vector<unsigned char*> pointers(count);
+  std::vector<EXRChannelInfo> channels(count);
+  std::vector<int> types(count, TINYEXR_PIXELTYPE_FLOAT);
+  for (std::size_t c = 0; c < count; ++c) {
+    for (std::size_t p = 0; p < image.pixelCount(); ++p) planes[c][p] = image.data[p * count + order[c]];
+    pointers[c] = reinterpret_cast<unsigned char*>(planes[c].data());
+    const std::string& name = image.channels[order[c]];
+    channels[c] = {};
+    name.copy(channels[c].name, sizeof(channels[c].name) - 1);
+  }
+  EXRAttribute attribute{};
+  float value = static_cast<float>(diagonal.value_or(0));
+  std::strcpy(attribute.name, kDiagonal);
+  std::strcpy(attribute.type, "float");
+  attribute.value = reinterpret_cast<unsigned char*>(&value);
+  attribute.size = 4;
+
+  EXRHeader header;
+  InitEXRHeader(&header);
+  header.num_channels = static_cast<int>(count);
+  header.channels = channels.data();
+  header.pixel_types = types.data();
+  header.requested_pixel_types = types.data();
+  header.compression_type = TINYEXR_COMPRESSIONTYPE_ZIP;
+  header.num_custom_attributes = diagonal ? 1 : 0;
+  header.custom_attributes = diagonal ? &attribute : nullptr;
+  EXRImage source;
+  InitEXRImage(&source);
+  source.images = pointers.data();
+  source.width = image.width;
+  source.height = image.height;
+  source.num_channels = static_cast<int>(count);
+
+  unsigned char* memory = nullptr;
+  const char* message = nullptr;
+  const std::size_t size = SaveEXRImageToMemory(&source, &header, &memory, &message);
+  const std::unique_ptr<unsigned char, Freed> owned(memory);
+  if (size == 0) {
+    problem = takeMessage(message, "the EXR writer refused the image");
+    return false;
+  }
+  const auto* first = reinterpret_cast<const std::byte*>(memory);
+  bytes.assign(first, first + size);
+  return true;
+}
+
+}  // namespace halfsilver

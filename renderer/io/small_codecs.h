@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "io/images.h"
+
+// The codecs that are always there: stb for PNG, JPEG, HDR and a few more, tinyexr for scanline EXR.
+namespace halfsilver {
+
+// False with one line in `problem` when the bytes do not decode.
+bool decodeSmall(std::span<const std::uint8_t> bytes, ImageFile& result, std::string& problem);
+
+// Empty when the library refuses.
+std::vector<std::byte> encodeSmallPng(int width, int height, std::span<const std::uint8_t> rgba);
+
+// Channels sorted by name, as the format asks. False with one line in `problem`.
+bool encodeSmallExr(const Image& image, std::optional<double> diagonal, std::vector<std::byte>& bytes,
+                    std::string& problem);
+
+}  // namespace halfsilver
