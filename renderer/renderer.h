@@ -76,9 +76,11 @@ class Renderer {
   // Uploads moved vertices of the scene that was set; triangles, materials and counts are unchanged.
   void updateVertices(const Scene& scene, std::span<const VertexRange> ranges);
 
-  // Draws one frame into the target at the target's size. The report is valid until the next call.
-  // Camera is relative to Scene::origin.
-  const FrameReport& render(const Camera& camera, const Settings& settings, const Target& target);
+  // Draws one frame into the target at the target's size, without waiting for it. Camera is relative to Scene::origin.
+  void render(const Camera& camera, const Settings& settings, const Target& target);
+
+  // What the last frame took and held. Waits for the GPU.
+  FrameReport report();
 
   // The last frame as the layers of the contract (R G B A, depth.Z, normal.X/Y/Z, reflectivity.Y, selected.Y, hit.T,
   // hit.id, hit.nx/ny/nz, reflection.R/G/B), rows from the top. Waits for the GPU.

@@ -33,45 +33,79 @@ enum class Method {
 enum class TraceStage { compute, fragment };
 enum class ToneMap { filmic, none };
 
+struct SceneSettings {
+  bool cullBackFaces = true;  // single-sided materials are invisible from behind, to the camera and to rays
+
+  bool operator==(const SceneSettings&) const = default;
+};
+
+struct SelectSettings {
+  SelectMode mode = SelectMode::reflective;
+  float fraction = 1.0f;      // 0..1, share of the selected pixels that is kept, scattered evenly
+  float maxRoughness = 0.4f;  // 0..1, reflectivity fades from 1 at roughness 0 to 0 here
+  float minReflectivity = 0;  // 0..1, pixels at or below are not selected
+
+  bool operator==(const SelectSettings&) const = default;
+};
+
+struct VoxelSettings {
+  int resolution = 128;  // voxels along each axis, 1..512
+  VoxelRaster raster = VoxelRaster::conservative;
+  AxisRule axis = AxisRule::own;
+
+  bool operator==(const VoxelSettings&) const = default;
+};
+
+struct ABufferSettings {
+  int resolution = 512;  // texels along each axis, 1..4096
+  int pageSize = 4;      // entries a page, 1..64
+  Buffers buffers = Buffers::single;
+  Lists lists = Lists::pages;
+  bool sorted = false;  // entries of a texel sorted by depth after the build
+
+  bool operator==(const ABufferSettings&) const = default;
+};
+
+struct SearchSettings {
+  int steps = 0;        // linear steps in a voxel, 0..64; 0: full 2D-DDA
+  int refinements = 6;  // binary search steps after a crossing, 0..32
+
+  bool operator==(const SearchSettings&) const = default;
+};
+
+struct TraceSettings {
+  Method method = Method::identity;
+  int bounces = 1;  // 1..16
+  TraceStage stage = TraceStage::compute;
+
+  bool operator==(const TraceSettings&) const = default;
+};
+
+struct ShadowSettings {
+  int resolution = 1024;   // texels, of each shadow map, 16..8192
+  int skyDirections = 12;  // shadowed directions that stand for the sky, 0..32; 0: unshadowed sky light
+
+  bool operator==(const ShadowSettings&) const = default;
+};
+
+struct ImageSettings {
+  float exposure = 0;  // stops, -20..20
+  ToneMap toneMap = ToneMap::filmic;
+
+  bool operator==(const ImageSettings&) const = default;
+};
+
 struct Settings {
-  struct {
-    bool cullBackFaces = true;  // single-sided materials are invisible from behind, to the camera and to rays
-  } scene;
-  struct {
-    SelectMode mode = SelectMode::reflective;
-    float fraction = 1.0f;      // 0..1, share of the selected pixels that is kept, scattered evenly
-    float maxRoughness = 0.4f;  // 0..1, reflectivity fades from 1 at roughness 0 to 0 here
-    float minReflectivity = 0;  // 0..1, pixels at or below are not selected
-  } select;
-  struct {
-    int resolution = 128;  // voxels along each axis, 1..512
-    VoxelRaster raster = VoxelRaster::conservative;
-    AxisRule axis = AxisRule::own;
-  } voxels;
-  struct {
-    int resolution = 512;  // texels along each axis, 1..4096
-    int pageSize = 4;      // entries a page, 1..64
-    Buffers buffers = Buffers::single;
-    Lists lists = Lists::pages;
-    bool sorted = false;  // entries of a texel sorted by depth after the build
-  } abuffer;
-  struct {
-    int steps = 0;        // linear steps in a voxel, 0..64; 0: full 2D-DDA
-    int refinements = 6;  // binary search steps after a crossing, 0..32
-  } search;
-  struct {
-    Method method = Method::identity;
-    int bounces = 1;  // 1..16
-    TraceStage stage = TraceStage::compute;
-  } trace;
-  struct {
-    int resolution = 1024;   // texels, of each shadow map, 16..8192
-    int skyDirections = 12;  // shadowed directions that stand for the sky, 0..32; 0: unshadowed sky light
-  } shadow;
-  struct {
-    float exposure = 0;  // stops, -20..20
-    ToneMap toneMap = ToneMap::filmic;
-  } image;
+  SceneSettings scene;
+  SelectSettings select;
+  VoxelSettings voxels;
+  ABufferSettings abuffer;
+  SearchSettings search;
+  TraceSettings trace;
+  ShadowSettings shadow;
+  ImageSettings image;
+
+  bool operator==(const Settings&) const = default;
 };
 
 struct SettingInfo {

@@ -23,6 +23,10 @@
 #define SSBO_ENTRIES 12
 #define SSBO_LINKS 13
 #define SSBO_COUNTERS 14
+// Sums of normals while voxels are made, before there are heads, entries and links.
+#define SSBO_NORMAL_X 11
+#define SSBO_NORMAL_Y 12
+#define SSBO_NORMAL_Z 13
 // The next bounce.
 #define SSBO_NEXT_RAYS 15
 #define SSBO_NEXT_RAY_COUNT 5  // shares the draw list's number: rasterization and shading of hits never meet
@@ -38,6 +42,9 @@
 #define UNIT_MATERIAL 13
 #define UNIT_EMISSIVE 14
 #define UNIT_VISIBILITY 15
+// In the composite pass, which needs no material textures.
+#define UNIT_SHADED 0
+#define UNIT_REFLECTION 1
 
 // Image units; a pass uses its own few.
 #define IMAGE_POSITION 0

@@ -24,7 +24,9 @@
 #define LIGHT_DIRECTIONAL 0u
 #define LIGHT_POINT 1u
 #define LIGHT_SPOT 2u
-#define LIGHT_SKY 3u  // a directional light that stands for a part of the sky; lights the diffuse lobe only
+// Lights the diffuse lobe only. With a shadow layer: a direction that stands for a part of the sky. Without: half the
+// sphere around the direction, evenly bright; the share 1 - cone.x of it is scaled by the sky's visibility.
+#define LIGHT_SKY 3u
 
 struct VertexAttributes {
   vec4 normalU;   // xyz normal, w uv0.x
@@ -64,7 +66,7 @@ struct GpuMaterial {
 struct GpuLight {
   vec4 positionRange;   // xyz, w range (0: unlimited)
   vec4 directionType;   // xyz the way the light travels, w type as float
-  vec4 color;           // linear times intensity, w unused
+  vec4 color;           // linear times intensity; w width of a shadow texel, metres (point, spot: at distance 1)
   vec4 cone;            // x scale and y offset of the spot's angular falloff; z first shadow layer or -1; w layers
   mat4 shadow[6];       // world to shadow map, a matrix a layer
 };
@@ -107,7 +109,8 @@ struct FrameConstants {
   mat4 viewProjection;
   vec4 eye;            // xyz; w pixel cone: width at distance 1
   vec4 forward;        // unit; w near plane
-  vec4 right;          // times tan(half fov) times aspect; pixel ray = forward + x * right + y * up, x, y in -1..1
+  vec4 right;          // times tan(half fov) times aspect; pixel ray = forward + x * right + y * up, x, y in -1..1;
+                       // w far plane, 0: infinite
   vec4 up;             // times tan(half fov)
   vec4 boundsLow;      // scene bounds; w diagonal
   vec4 boundsHigh;     // w smallest hit distance (1e-5 of the diagonal)

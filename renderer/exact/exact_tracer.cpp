@@ -1,0 +1,166 @@
+#include "exact/exact_tracer.h"
+
+#include <embree3/rtcore.h>
+
+#include <algorithm>
+#include <atomic>
+#include <bit>
+#include <span>
+#include <string>
+#include <thread>
+
+#include "core/error.h"
+#include "frame/frame_constants.h"
+#include "scene/alpha.h"
+
+namespace halfsilver {
+namespace {
+
+using shared::Hit;
+using shared::Ray;
+
+struct DeviceRelease {
+  void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
+};
+struct SceneRelease {
+  void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
+};
+using Device = std::unique_ptr<RTCDeviceTy, DeviceRelease>;
+using EmbreeScene = std::unique_ptr<RTCSceneTy, SceneRelease>;
+
+// What the filter needs to know of the ray; Embree hands the context through.
+struct RayContext : RTCIntersectContext {
+  const Scene* scene = nullptr;
+  bool cullBackFaces = true;
+  std::uint32_t excluded = NO_TRIANGLE;
+  glm::vec3 direction{0};
+};
+
+bool visible(const RayContext& context, std::uint32_t number, glm::vec2 barycentrics) {
+  if (number == context.excluded) return false;
+  const Scene& scene = *context.scene;
+  const Triangle& triangle = scene.triangles[number];
+  const Material& material = scene.materials[triangle.material];
+  if (context.cullBackFaces && !material.doubleSided) {
+    const glm::dvec3 a = scene.vertices[triangle.vertices[0]].position;
+    const glm::dvec3 b = scene.vertices[triangle.vertices[1]].position;
+    const glm::dvec3 c = scene.vertices[triangle.vertices[2]].position;
+    if (glm::dot(glm::cross(b - a, c - a), glm::dvec3(context.direction)) > 0) return false;
+  }
+  return !cutAway(scene, number, barycentrics);
+}
+
+void filter(const RTCFilterFunctionNArguments* arguments) {
+  if (arguments->valid[0] == 0) return;
+  const auto& context = *static_cast<const RayContext*>(arguments->context);
+  const unsigned number = RTCHitN_primID(arguments->hit, 1, 0);
+  const glm::vec2 barycentrics(RTCHitN_u(arguments->hit, 1, 0), RTCHitN_v(arguments->hit, 1, 0));
+  if (!visible(context, number, barycentrics)) arguments->valid[0] = 0;
+}
+
+bool countMemory(void* total, ssize_t bytes, bool) {
+  static_cast<std::atomic<std::int64_t>*>(total)->fetch_add(bytes);
+  return true;
+}
+
+class ExactTracer final : public Tracer {
+ public:
+  ExactTracer(const Scene& scene, int threads, bool cullBackFaces)
+      : scene_(&scene),
+        threads_(threads > 0 ? static_cast<unsigned>(threads) : std::max(1u, std::thread::hardware_concurrency())),
+        cullBackFaces_(cullBackFaces),
+        device_(rtcNewDevice(("threads=" + std::to_string(threads_)).c_str())) {
+    if (!device_) throw Error(ErrorKind::failed, "Embree cannot make a device");
+    rtcSetDeviceMemoryMonitorFunction(device_.get(), countMemory, &bytes_);
+  }
+
+  void build(const GpuScene&, const RayQueue&, gl::Profiler& profiler) override {
+    const auto scope = profiler.section("build");
+    embreeScene_.reset(rtcNewScene(device_.get()));
+    rtcSetSceneFlags(embreeScene_.get(), RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
+    RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
+    // The scene's own arrays; Vertex is larger than the 16 bytes that Embree reads at each position.
+    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, scene_->vertices.data(),
+                               offsetof(Vertex, position), sizeof(Vertex), scene_->vertices.size());
+    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, scene_->triangles.data(),
+                               offsetof(Triangle, vertices), sizeof(Triangle), scene_->triangles.size());
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometry(embreeScene_.get(), geometry);
+    rtcReleaseGeometry(geometry);
+    rtcCommitScene(embreeScene_.get());
+    if (rtcGetDeviceError(device_.get()) != RTC_ERROR_NONE)
+      throw Error(ErrorKind::failed, "Embree cannot build the scene");
+  }
+
+  void trace(const GpuScene& scene, const RayQueue& rays, Hits& hits, gl::Profiler& profiler) override {
+    const auto scope = profiler.section("trace");
+    const auto count = rays.count.read<shared::RayCount>(1)[0].count;
+    const std::vector<Ray> queue = rays.rays.read<Ray>(count);
+    std::vector<Hit> results(count);
+    // The smallest distance is that of UBO_FRAME, which is made from the same bounds.
+    const float least = smallestHitDistance(scene.bounds);
+    traceAll(queue, results, least);
+    hits.hits.write(std::span<const Hit>(results));
+  }
+
+  TracerMemory memory() const override {
+    TracerMemory memory;
+    memory.structureTotal = static_cast<std::uint64_t>(std::max<std::int64_t>(0, bytes_.load()));
+    return memory;
+  }
+
+ private:
+  void traceAll(std::span<const Ray> rays, std::span<Hit> results, float least) const {
+    constexpr std::size_t kChunk = 1024;
+    std::atomic<std::size_t> next{0};
+    const auto work = [&] {
+      for (std::size_t first = next.fetch_add(kChunk); first < rays.size(); first = next.fetch_add(kChunk))
+        for (std::size_t i = first; i < std::min(first + kChunk, rays.size()); ++i)
+          results[i] = traceOne(rays[i], least);
+    };
+    std::vector<std::jthread> helpers;
+    for (unsigned i = 1; i < threads_; ++i) helpers.emplace_back(work);
+    work();
+  }
+
+  Hit traceOne(const Ray& ray, float least) const {
+    RayContext context;
+    rtcInitIntersectContext(&context);
+    context.filter = filter;
+    context.scene = scene_;
+    context.cullBackFaces = cullBackFaces_;
+    context.excluded = std::bit_cast<std::uint32_t>(ray.directionExclude.w);
+    context.direction = glm::vec3(ray.directionExclude);
+    RTCRayHit query{};
+    query.ray.org_x = ray.originPixel.x;
+    query.ray.org_y = ray.originPixel.y;
+    query.ray.org_z = ray.originPixel.z;
+    query.ray.dir_x = ray.directionExclude.x;
+    query.ray.dir_y = ray.directionExclude.y;
+    query.ray.dir_z = ray.directionExclude.z;
+    query.ray.tnear = least;
+    query.ray.tfar = std::numeric_limits<float>::infinity();
+    query.ray.mask = ~0u;
+    query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    rtcIntersect1(embreeScene_.get(), &context, &query);
+    if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {HIT_MISS, NO_TRIANGLE, 0, 0};
+    return {query.ray.tfar, query.hit.primID, query.hit.u, query.hit.v};
+  }
+
+  const Scene* scene_;
+  unsigned threads_;
+  bool cullBackFaces_;
+  std::atomic<std::int64_t> bytes_{0};
+  Device device_;
+  EmbreeScene embreeScene_;
+};
+
+}  // namespace
+
+TracerFactory makeExactTracerFactory(const Scene& scene, int threads) {
+  return [&scene, threads](const gl::Api&, const Settings& settings) -> std::unique_ptr<Tracer> {
+    return std::make_unique<ExactTracer>(scene, threads, settings.scene.cullBackFaces);
+  };
+}
+
+}  // namespace halfsilver

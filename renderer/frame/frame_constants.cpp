@@ -1,0 +1,103 @@
+#include "frame/frame_constants.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.h"
+
+namespace halfsilver {
+namespace {
+
+using glm::dmat4;
+using glm::dvec3;
+using glm::dvec4;
+
+constexpr double kSmallestHit = 1e-5;   // of the diagonal, by the contract
+constexpr double kNearest = 1e-4;       // of the diagonal: the near plane inside the bounds
+constexpr double kBeforeBounds = 0.99;  // of the distance to the bounds: the near plane outside them
+constexpr double kSmallestDiagonal = 1e-6;
+
+struct Basis {
+  dvec3 forward, right, up;
+};
+
+Basis basisOf(const Camera& camera) {
+  const dvec3 towards = dvec3(camera.target) - dvec3(camera.eye);
+  const double length = glm::length(towards);
+  if (!(length > 0) || !std::isfinite(length)) throw Error(ErrorKind::usage, "the camera's target is its eye");
+  Basis basis{};
+  basis.forward = towards / length;
+  dvec3 across = glm::cross(basis.forward, dvec3(camera.up));
+  const double parallel = 1e-6;
+  if (!(glm::length(across) > parallel * glm::length(dvec3(camera.up))))
+    across = glm::cross(basis.forward, std::abs(basis.forward.y) < 0.9 ? dvec3(0, 1, 0) : dvec3(0, 0, -1));
+  basis.right = glm::normalize(across);
+  basis.up = glm::cross(basis.right, basis.forward);
+  return basis;
+}
+
+double chooseNear(const Camera& camera, const Bounds& bounds, double tangentX, double tangentY) {
+  if (camera.nearPlane > 0) return camera.nearPlane;
+  if (bounds.empty()) return kNearest;
+  const dvec3 eye(camera.eye);
+  const double outside = glm::length(glm::max(glm::max(dvec3(bounds.low) - eye, eye - dvec3(bounds.high)), dvec3(0)));
+  // A point in a corner of the picture is nearer along the axis than along its ray.
+  const double cornerCosine = 1 / std::sqrt(1 + tangentX * tangentX + tangentY * tangentY);
+  const double diagonal = std::max(static_cast<double>(bounds.diagonal()), kSmallestDiagonal);
+  return std::max(kNearest * diagonal, kBeforeBounds * cornerCosine * outside);
+}
+
+}  // namespace
+
+shared::FrameConstants makeFrameConstants(const Camera& camera, const Bounds& bounds, const Sky& sky,
+                                          const Settings& settings, int width, int height, std::uint32_t lightCount) {
+  if (width < 1 || height < 1) throw Error(ErrorKind::usage, "the picture's size must be at least 1 x 1");
+  if (!(camera.verticalFov > 0 && camera.verticalFov < 3.14159f))
+    throw Error(ErrorKind::usage, "the camera's field of view must lie between 0 and 180 degrees");
+  const Basis basis = basisOf(camera);
+  const double aspect = static_cast<double>(width) / height;
+  const double tangent = std::tan(0.5 * static_cast<double>(camera.verticalFov));
+  const double nearPlane = chooseNear(camera, bounds, tangent * aspect, tangent);
+  const double farPlane = camera.farPlane > nearPlane ? camera.farPlane : 0;
+  const double diagonal = bounds.empty() ? 0.0 : bounds.diagonal();
+
+  // Rows of clip = M * (p - eye, 1): w is the distance along the axis, z is near at w = far and w at w = near.
+  const double zScale = farPlane > 0 ? -nearPlane / (farPlane - nearPlane) : 0.0;
+  const double zOffset = farPlane > 0 ? farPlane * nearPlane / (farPlane - nearPlane) : nearPlane;
+  const dvec3 eye(camera.eye);
+  const auto row = [&](const dvec3& axis, double offset) { return dvec4(axis, offset - glm::dot(axis, eye)); };
+  const dmat4 viewProjection =
+      glm::transpose(dmat4(row(basis.right / (tangent * aspect), 0), row(basis.up / tangent, 0),
+                           row(basis.forward * zScale, zOffset), row(basis.forward, 0)));
+
+  shared::FrameConstants frame{};
+  frame.viewProjection = glm::mat4(viewProjection);
+  frame.eye = glm::vec4(camera.eye, static_cast<float>(2 * tangent / height));
+  frame.forward = glm::vec4(basis.forward, nearPlane);
+  frame.right = glm::vec4(basis.right * (tangent * aspect), farPlane);
+  frame.up = glm::vec4(basis.up * tangent, 0.0);
+  frame.boundsLow = glm::vec4(bounds.empty() ? glm::vec3(0) : bounds.low, static_cast<float>(diagonal));
+  frame.boundsHigh =
+      glm::vec4(bounds.empty() ? glm::vec3(0) : bounds.high, smallestHitDistance(bounds));
+  frame.skyZenith = glm::vec4(sky.zenith * sky.intensity, sky.image.empty() ? 0.0f : 1.0f);
+  frame.skyHorizon = glm::vec4(sky.horizon * sky.intensity, sky.intensity);
+  frame.skyGround = glm::vec4(sky.ground * sky.intensity, 0.0f);
+  frame.width = static_cast<std::uint32_t>(width);
+  frame.height = static_cast<std::uint32_t>(height);
+  frame.lightCount = lightCount;
+  frame.cullBackFaces = settings.scene.cullBackFaces ? 1 : 0;
+  frame.maxRoughness = settings.select.maxRoughness;
+  frame.minReflectivity = settings.select.minReflectivity;
+  frame.selectFraction = settings.select.fraction;
+  frame.exposure = std::exp2(settings.image.exposure);
+  frame.selectMode = static_cast<std::uint32_t>(settings.select.mode);
+  frame.toneMap = settings.image.toneMap == ToneMap::filmic ? 0 : 1;
+  frame.bounces = static_cast<std::uint32_t>(settings.trace.bounces);
+  return frame;
+}
+
+float smallestHitDistance(const Bounds& bounds) {
+  return bounds.empty() ? 0.0f : static_cast<float>(kSmallestHit * static_cast<double>(bounds.diagonal()));
+}
+
+}  // namespace halfsilver

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstdint>
+
+#include "core/bounds.h"
+#include "frame/shared_structs.h"
+#include "scene/scene.h"
+#include "settings.h"
+
+namespace halfsilver {
+
+// Constants of one frame. viewProjection is a reversed-Z projection for a clip space of depth 0..1 (1 at the near
+// plane, 0 at the far plane or at infinity); frame.right.w keeps the far plane, 0 where there is none. Planes that the
+// camera leaves at 0: near just before the scene's bounds or a small part of their diagonal, far at infinity.
+// Throws Error (usage) for a size below 1 or a camera without a direction or a field of view.
+shared::FrameConstants makeFrameConstants(const Camera& camera, const Bounds& bounds, const Sky& sky,
+                                          const Settings& settings, int width, int height, std::uint32_t lightCount);
+
+// Hits nearer than this are ignored by every method: 1e-5 of the diagonal of the bounds. Metres.
+float smallestHitDistance(const Bounds& bounds);
+
+}  // namespace halfsilver

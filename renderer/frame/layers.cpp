@@ -1,0 +1,120 @@
+#include "frame/layers.h"
+
+#include <array>
+#include <bit>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace halfsilver {
+namespace {
+
+using shared::Hit;
+using shared::HitSurface;
+using shared::Ray;
+
+enum Layer : std::size_t {
+  R,
+  G,
+  B,
+  A,
+  depthZ,
+  normalX,
+  normalY,
+  normalZ,
+  reflectivityY,
+  selectedY,
+  hitT,
+  hitId,
+  hitNx,
+  hitNy,
+  hitNz,
+  reflectionR,
+  reflectionG,
+  reflectionB,
+  layerCount
+};
+
+std::vector<glm::vec4> readTexture(const gl::Texture& texture) {
+  std::vector<glm::vec4> texels(static_cast<std::size_t>(texture.shape().width) *
+                                static_cast<std::size_t>(texture.shape().height));
+  texture.read(GL_RGBA, GL_FLOAT, texels.size() * sizeof(glm::vec4), texels.data());
+  return texels;
+}
+
+// Normals of hits that have no stored one, from the vertices.
+class VertexNormals {
+ public:
+  explicit VertexNormals(const GpuScene& scene)
+      : triangles_(scene.triangles.read<glm::uvec4>(scene.triangleCount)),
+        attributes_(scene.attributes.read<shared::VertexAttributes>(scene.vertexCount)) {}
+
+  glm::vec3 at(const Hit& hit) const {
+    const glm::uvec4 corners = triangles_[hit.triangle];
+    const auto normal = [&](glm::uint corner) { return glm::vec3(attributes_[corner].normalU); };
+    return (1.0f - hit.u - hit.v) * normal(corners.x) + hit.u * normal(corners.y) + hit.v * normal(corners.z);
+  }
+
+ private:
+  std::vector<glm::uvec4> triangles_;
+  std::vector<shared::VertexAttributes> attributes_;
+};
+
+void addHits(Image& image, const GpuScene& scene, const RayQueue& rays, const Hits& hits) {
+  const auto count = rays.count.read<shared::RayCount>(1)[0].count;
+  const std::vector<Ray> queue = rays.rays.read<Ray>(count);
+  const std::vector<Hit> results = hits.hits.read<Hit>(count);
+  std::vector<HitSurface> surfaces;
+  std::optional<VertexNormals> vertexNormals;
+  if (hits.surfaces)
+    surfaces = hits.surfaces.read<HitSurface>(count);
+  else
+    vertexNormals.emplace(scene);
+
+  const auto width = static_cast<std::size_t>(image.width), height = static_cast<std::size_t>(image.height);
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t pixel = std::bit_cast<std::uint32_t>(queue[i].originPixel.w);
+    const std::size_t row = height - 1 - pixel / width;
+    float* out = &image.data[(row * width + pixel % width) * layerCount];
+    out[selectedY] = 1;
+    out[hitT] = results[i].t;
+    if (results[i].t < 0) continue;
+    out[hitId] = static_cast<float>(results[i].triangle);
+    glm::vec3 normal = vertexNormals ? vertexNormals->at(results[i]) : glm::vec3(surfaces[i].normalReflectivity);
+    if (glm::dot(normal, normal) > 0) normal = glm::normalize(normal);
+    if (glm::dot(normal, glm::vec3(queue[i].directionExclude)) > 0) normal = -normal;
+    for (std::size_t axis = 0; axis < 3; ++axis) out[hitNx + axis] = normal[static_cast<glm::length_t>(axis)];
+  }
+}
+
+}  // namespace
+
+Image assembleLayers(const GpuScene& scene, const GBuffer& gbuffer, const gl::Texture& linear, const RayQueue& rays,
+                     const Hits& hits) {
+  Image image{gbuffer.width,
+              gbuffer.height,
+              {"R", "G", "B", "A", "depth.Z", "normal.X", "normal.Y", "normal.Z", "reflectivity.Y", "selected.Y",
+               "hit.T", "hit.id", "hit.nx", "hit.ny", "hit.nz", "reflection.R", "reflection.G", "reflection.B"},
+              {}};
+  image.data.assign(image.pixelCount() * layerCount, 0.0f);
+  const std::vector<glm::vec4> color = readTexture(linear), position = readTexture(gbuffer.position),
+                               normal = readTexture(gbuffer.normal), reflection = readTexture(gbuffer.reflection);
+  const auto width = static_cast<std::size_t>(image.width), height = static_cast<std::size_t>(image.height);
+  for (std::size_t y = 0; y < height; ++y)
+    for (std::size_t x = 0; x < width; ++x) {
+      const std::size_t pixel = (height - 1 - y) * width + x;
+      float* out = &image.data[(y * width + x) * layerCount];
+      for (glm::length_t c = 0; c < 4; ++c) out[R + static_cast<std::size_t>(c)] = color[pixel][c];
+      out[hitT] = static_cast<float>(HIT_NOT_TRACED);
+      out[hitId] = -1;
+      for (glm::length_t c = 0; c < 3; ++c) out[reflectionR + static_cast<std::size_t>(c)] = reflection[pixel][c];
+      if (position[pixel].w <= 0) continue;
+      out[depthZ] = position[pixel].w;
+      for (glm::length_t c = 0; c < 3; ++c) out[normalX + static_cast<std::size_t>(c)] = normal[pixel][c];
+      out[reflectivityY] = normal[pixel].w;
+    }
+  if (hits.hits) addHits(image, scene, rays, hits);
+  return image;
+}
+
+}  // namespace halfsilver

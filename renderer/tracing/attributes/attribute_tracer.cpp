@@ -1,0 +1,123 @@
+#include "tracing/attributes/attribute_tracer.h"
+
+#include <string>
+#include <vector>
+
+#include "core/error.h"
+#include "shared/tracing.h"
+#include "tracing/raster.h"
+
+namespace halfsilver {
+namespace {
+
+constexpr std::uint64_t kEntryTexels = 2;
+constexpr std::uint64_t kEntryBytes = 16 * kEntryTexels;
+// The entry keeps the triangle's number as a float's value.
+constexpr std::uint32_t kMostTriangles = 1u << 24;
+
+// A linked list is a list of pages of one entry.
+int pageSize(const Settings& settings) {
+  return settings.abuffer.lists == Lists::linked ? 1 : settings.abuffer.pageSize;
+}
+
+gl::Program buildProgram(const gl::Api& api, const Settings& settings) {
+  const std::vector<gl::Define> defines{{"PAGE_SIZE", std::to_string(pageSize(settings)) + "u"}};
+  return gl::Program::raster(api, "tracing/attributes_build.vert", "tracing/attributes_build.frag", defines);
+}
+
+TracePass makeTracePass(const gl::Api& api, const Settings& settings) {
+  std::vector<gl::Define> defines{{"METHOD_ATTRIBUTES"},
+                                  {"PAGE_SIZE", std::to_string(pageSize(settings)) + "u"},
+                                  {"LINEAR_STEPS", std::to_string(settings.search.steps)}};
+  if (settings.abuffer.sorted) defines.push_back({"SORTED"});
+  return TracePass(api, settings.trace.stage, defines);
+}
+
+const Settings& checked(const Settings& settings) {
+  if (settings.abuffer.sorted && settings.abuffer.lists != Lists::linked)
+    throw Error(ErrorKind::badInput, "setting abuffer.sorted: only linked lists can be sorted (abuffer.lists=linked)");
+  return settings;
+}
+
+}  // namespace
+
+AttributeTracer::AttributeTracer(const gl::Api& api, const Settings& settings)
+    : api_(&api),
+      settings_(checked(settings)),
+      voxelPass_(api, settings.voxels.raster, settings.voxels.axis),
+      build_(buildProgram(api, settings)),
+      tracePass_(makeTracePass(api, settings)),
+      vertexArray_(api),
+      pool_(api, pageSize(settings)) {
+  if (settings.abuffer.sorted) sort_ = gl::Program::compute(api, "tracing/attributes_sort.comp");
+}
+
+void AttributeTracer::build(const GpuScene& scene, const RayQueue&, gl::Profiler& profiler) {
+  if (scene.triangleCount > kMostTriangles)
+    throw Error(ErrorKind::failed, "the scene has " + std::to_string(scene.triangleCount) +
+                                       " triangles; fragments with attributes can name " +
+                                       std::to_string(kMostTriangles));
+  grid_ = makeGrid(scene.bounds, settings_.voxels.resolution, settings_.abuffer.resolution);
+  voxelPass_.run(scene, grid_, voxels_, profiler);
+
+  const auto scope = profiler.section("build");
+  const bool three = settings_.abuffer.buffers == Buffers::three;
+  const auto side = static_cast<std::size_t>(grid_.texels);
+  const auto mostEntries = static_cast<std::uint64_t>(api_->limits.bufferTexels) / kEntryTexels;
+  if (pool_.begin(3 * side * side, (three ? 4 : 2) * side * side, mostEntries)) {
+    entries_ = gl::TexelBuffer();  // the old one goes first: both at once might not fit
+    entries_ = gl::TexelBuffer(*api_, pool_.capacity() * kEntryTexels, "A-buffer entries");
+  }
+  // Clears of heads and counters come before the fragments' atomics.
+  api_->MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
+  // Masks of own axes need only the own projection; a dominant axis of the voxel may be any of the three.
+  const bool own = !three && settings_.voxels.axis == AxisRule::own;
+  grid_.apply(build_);
+  build_.set("ownAxis", own ? 1 : 0);
+  build_.set("rasterResolution", grid_.texels);
+  build_.set("storeAll", three ? 1 : 0);
+  build_.set("texelSize", grid_.texelSize());
+  pool_.bind(build_);
+  voxels_.words.bindStorage(SSBO_VOXELS);
+  entries_.bindImage(IMAGE_POOL, GL_WRITE_ONLY);
+  rasterizeScene(*api_, build_, vertexArray_, scene,
+                 {.resolution = grid_.texels, .projections = own ? 1 : 3, .verticesPerTriangle = 3});
+  // Entries (image stores), heads and links (fragments) are read by the sort and the trace.
+  api_->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+  if (sort_) sortLists();
+}
+
+void AttributeTracer::sortLists() {
+  const auto heads = static_cast<std::size_t>(pool_.headBytes() / sizeof(GLuint));
+  pool_.bind(sort_);
+  entries_.bindImage(IMAGE_POOL, GL_READ_ONLY);
+  sort_.set("headCount", static_cast<GLuint>(heads));
+  for (GLuint run = 1; run < (1u << 24); run *= 2) {
+    pool_.resetCounter(COUNTER_UNSORTED);
+    sort_.set("runLength", run);
+    dispatchFor(*api_, sort_, heads);
+    // Links (this step) are read by the next step and the trace.
+    api_->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    if (pool_.count(COUNTER_UNSORTED) == 0) break;
+  }
+}
+
+void AttributeTracer::trace(const GpuScene&, const RayQueue& rays, Hits& hits, gl::Profiler& profiler) {
+  grid_.apply(tracePass_.program());
+  tracePass_.program().set("refinements", settings_.search.refinements);
+  pool_.bind(tracePass_.program());
+  voxels_.words.bindStorage(SSBO_VOXELS);
+  entries_.bindImage(IMAGE_POOL, GL_READ_ONLY);
+  tracePass_.run(rays, hits, profiler);
+}
+
+TracerMemory AttributeTracer::memory() const {
+  TracerMemory memory;
+  memory.voxels = voxels_.bytes();
+  pool_.report(memory, kEntryBytes);
+  return memory;
+}
+
+std::uint64_t AttributeTracer::lostFragments() const { return pool_.count(COUNTER_LOST); }
+
+}  // namespace halfsilver

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "gl/texel_buffer.h"
+#include "settings.h"
+#include "tracing/grid.h"
+#include "tracing/page_pool.h"
+#include "tracing/trace_pass.h"
+#include "tracing/tracer.h"
+#include "tracing/voxel_pass.h"
+
+namespace halfsilver {
+
+// The published methods: fragments with all surface attributes (32 bytes), found by comparing depths along the ray.
+// Buffers::three stores every fragment in every projection (Hu et al. 2014), Buffers::single only in the A-buffer of
+// its voxel's dominant axis (Kastrati & Goswami 2017).
+class AttributeTracer final : public Tracer {
+ public:
+  // Throws Error (badInput) for settings that do not go together.
+  AttributeTracer(const gl::Api& api, const Settings& settings);
+
+  void build(const GpuScene& scene, const RayQueue& rays, gl::Profiler& profiler) override;
+  void trace(const GpuScene& scene, const RayQueue& rays, Hits& hits, gl::Profiler& profiler) override;
+  bool storesAttributes() const override { return true; }
+  TracerMemory memory() const override;
+  std::uint64_t lostFragments() const override;
+
+ private:
+  void sortLists();
+
+  const gl::Api* api_;
+  Settings settings_;
+  VoxelPass voxelPass_;
+  gl::Program build_;
+  gl::Program sort_;  // empty unless lists are sorted
+  TracePass tracePass_;
+  gl::EmptyVertexArray vertexArray_;
+  Grid grid_;
+  Voxels voxels_;
+  PagePool pool_;
+  gl::TexelBuffer entries_;
+};
+
+}  // namespace halfsilver

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+
+#include "gl/buffer.h"
+#include "gl/program.h"
+#include "tracing/tracer.h"
+
+namespace halfsilver {
+
+// The lists of a paged A-buffer: heads, links and the counters of a build; the entries themselves belong to the method.
+// See shaders/tracing/pages.glsl. The pool's size follows the build before: it grows between builds when fragments were
+// lost, and shrinks when it was far too large (Kastrati & Goswami 2017, section 3.2.1, grows only).
+class PagePool {
+ public:
+  PagePool(const gl::Api& api, int pageSize) : api_(&api), pageSize_(static_cast<std::uint32_t>(pageSize)) {}
+
+  // Clears for a build of `heads` lists. The first build gets room for `firstEntries`; later ones for what the build
+  // before asked for, at most `mostEntries`. Waits for that build's counters. True when capacity() changed.
+  bool begin(std::size_t heads, std::uint64_t firstEntries, std::uint64_t mostEntries);
+
+  // Heads, links and counters to their bindings; capacity to the program's uniform.
+  void bind(const gl::Program& program) const;
+
+  std::uint64_t capacity() const { return static_cast<std::uint64_t>(pages_) * pageSize_; }  // entries
+
+  // Reads one counter of the build, summed over its slots. Waits for the GPU.
+  std::uint64_t count(std::uint32_t kind) const;
+  // For steps that signal through a counter: one word of slot 0.
+  void resetCounter(std::uint32_t kind);
+
+  std::uint64_t headBytes() const { return heads_.bytes(); }
+  std::uint64_t linkBytes() const { return links_.bytes(); }
+  std::uint64_t counterBytes() const { return counters_.bytes(); }
+
+  // Fills what a pool with entries of this size knows: heads, pool, fragments.
+  void report(TracerMemory& memory, std::uint64_t entryBytes) const;
+
+ private:
+  const gl::Api* api_;
+  std::uint32_t pageSize_;
+  std::uint32_t pages_ = 0;
+  gl::Buffer heads_, links_, counters_;
+};
+
+}  // namespace halfsilver

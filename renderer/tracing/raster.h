@@ -1,0 +1,24 @@
+#pragma once
+
+#include "frame/products.h"
+#include "gl/framebuffer.h"
+#include "gl/program.h"
+
+namespace halfsilver {
+
+struct RasterShape {
+  int resolution = 1;           // texels along each side
+  int projections = 1;          // instances
+  int verticesPerTriangle = 3;  // 6: conservative
+};
+
+// Draws all triangles with vertex pulling into a raster without attachments: no depth test, no culling, no blending;
+// fragments write through storage buffers and images only.
+void rasterizeScene(const gl::Api& api, const gl::Program& program, const gl::EmptyVertexArray& vertexArray,
+                    const GpuScene& scene, const RasterShape& shape);
+
+// Runs a compute program of 64 invocations a group for `count` items, in two dimensions where one is too short; see
+// the index computation in shaders/tracing/voxel_axis.comp.
+void dispatchFor(const gl::Api& api, const gl::Program& program, std::size_t count);
+
+}  // namespace halfsilver

@@ -1,0 +1,79 @@
+#include "tracing/voxel_pass.h"
+
+#include <vector>
+
+#include "shared/tracing.h"
+#include "tracing/raster.h"
+
+namespace halfsilver {
+namespace {
+
+std::vector<gl::Define> rasterDefines(VoxelRaster raster, AxisRule axis) {
+  std::vector<gl::Define> defines;
+  if (raster == VoxelRaster::conservative) defines.push_back({"CONSERVATIVE"});
+  if (axis != AxisRule::own) defines.push_back({"ACCUMULATE"});
+  return defines;
+}
+
+std::size_t voxelCount(const Grid& grid) {
+  const auto n = static_cast<std::size_t>(grid.voxels);
+  return n * n * n;
+}
+
+}  // namespace
+
+std::size_t Voxels::bytes() const {
+  return words.bytes() + normalSums[0].bytes() + normalSums[1].bytes() + normalSums[2].bytes();
+}
+
+VoxelPass::VoxelPass(const gl::Api& api, VoxelRaster raster, AxisRule axis)
+    : api_(&api),
+      raster_(raster),
+      axis_(axis),
+      rasterize_(
+          gl::Program::raster(api, "tracing/voxelize.vert", "tracing/voxelize.frag", rasterDefines(raster, axis))),
+      vertexArray_(api) {
+  if (axis != AxisRule::own) chooseAxis_ = gl::Program::compute(api, "tracing/voxel_axis.comp");
+}
+
+void VoxelPass::run(const GpuScene& scene, const Grid& grid, Voxels& out, gl::Profiler& profiler) const {
+  const auto scope = profiler.section("voxelize");
+  const std::size_t words = (voxelCount(grid) + VOXELS_PER_WORD - 1) / VOXELS_PER_WORD;
+  if (out.words.bytes() != words * sizeof(GLuint)) out.words = gl::Buffer(*api_, words * sizeof(GLuint), "voxel grid");
+  out.words.fill(0);
+  out.words.bindStorage(SSBO_VOXELS);
+  if (axis_ != AxisRule::own) {
+    const std::size_t bytes = words * VOXELS_PER_WORD * sizeof(GLint);
+    for (GLuint i = 0; i < 3; ++i) {
+      if (out.normalSums[i].bytes() != bytes) out.normalSums[i] = gl::Buffer(*api_, bytes, "sum of normals");
+      out.normalSums[i].fill(0);
+      out.normalSums[i].bindStorage(SSBO_NORMAL_X + i);
+    }
+  }
+  // Clears of buffers come before the fragments' atomics.
+  api_->MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
+
+  // The raster of Hu et al. is that of the three A-buffers, so all three projections vote; the others project each
+  // triangle along its own axis, as do masks of own axes whatever the raster.
+  const bool allProjections = raster_ == VoxelRaster::abuffer && axis_ != AxisRule::own;
+  const int resolution = raster_ == VoxelRaster::abuffer ? grid.texels : grid.voxels;
+  grid.apply(rasterize_);
+  rasterize_.set("ownAxis", allProjections ? 0 : 1);
+  rasterize_.set("rasterResolution", resolution);
+  rasterize_.set("absoluteNormals", axis_ == AxisRule::area ? 1 : 0);
+  rasterizeScene(*api_, rasterize_, vertexArray_, scene,
+                 {.resolution = resolution,
+                  .projections = allProjections ? 3 : 1,
+                  .verticesPerTriangle = raster_ == VoxelRaster::conservative ? 6 : 3});
+  // Marks and sums (fragments) are read by the choice of axes, the build and the trace.
+  api_->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+  if (axis_ == AxisRule::own) return;
+
+  grid.apply(chooseAxis_);
+  chooseAxis_.set("wordCount", static_cast<GLuint>(words));
+  dispatchFor(*api_, chooseAxis_, words);
+  // The axes (compute) are read by the build and the trace.
+  api_->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+}
+
+}  // namespace halfsilver

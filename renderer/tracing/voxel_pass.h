@@ -1,0 +1,38 @@
+#pragma once
+
+#include "frame/products.h"
+#include "gl/profiler.h"
+#include "gl/program.h"
+#include "settings.h"
+#include "tracing/grid.h"
+
+namespace halfsilver {
+
+// The coarse grid: occupied or not, and in which A-buffers a voxel's fragments are. Eight voxels a word.
+struct Voxels {
+  gl::Buffer words;
+  gl::Buffer normalSums[3];  // while the dominant axis is chosen from sums of normals; empty for AxisRule::own
+
+  std::size_t bytes() const;
+};
+
+// Rasterizes the scene into the grid and chooses the dominant axes; see VoxelRaster and AxisRule.
+// Sources: Crassin & Green 2012 (projection along the triangle's own axis), Hu et al. 2014, section 3.1, Kastrati &
+// Goswami 2017, section 3.2.1.
+class VoxelPass {
+ public:
+  VoxelPass(const gl::Api& api, VoxelRaster raster, AxisRule axis);
+
+  // Section "voxelize". GpuScene and UBO_FRAME are bound. Ends with the grid readable by shaders.
+  void run(const GpuScene& scene, const Grid& grid, Voxels& out, gl::Profiler& profiler) const;
+
+ private:
+  const gl::Api* api_;
+  VoxelRaster raster_;
+  AxisRule axis_;
+  gl::Program rasterize_;
+  gl::Program chooseAxis_;  // empty for AxisRule::own
+  gl::EmptyVertexArray vertexArray_;
+};
+
+}  // namespace halfsilver

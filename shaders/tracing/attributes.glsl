@@ -1,0 +1,149 @@
+// Search in a voxel for the methods that store attributes (Hu et al. 2014, section 3.2): linear search over points of
+// the ray, comparing depths with the fragments of each point's texel, then binary search between the two points where
+// the order changes. LINEAR_STEPS > 0 takes that many equal steps; 0 visits every texel (full 2D-DDA).
+#define POOL_ACCESS readonly
+#include "tracing/attributes_entry.glsl"
+
+layout(std430, binding = SSBO_HIT_SURFACES) writeonly buffer HitSurfaceBlock { HitSurface hitSurfaces[]; };
+uniform int refinements;
+
+const uint noFragment = 0xffffffffu;
+uint foundFragment = noFragment;
+
+// What a point of the ray sees in its texel, among the fragments that count for this voxel and ray.
+struct Sample {
+  float t;
+  float depth;     // the point's
+  ivec2 texel;
+  int total;       // fragments
+  int below;       // of those, in front of the point along the axis
+  uint nearest;    // fragment nearest in depth, or noFragment
+  float nearestDepth;
+};
+
+struct Slab {
+  int axis;
+  vec2 depths;  // fragments outside do not count
+};
+
+bool counts(TraceRay ray, vec4 normalReflectivity, uint triangle) {
+  if (triangle == ray.excluded) return false;
+  return dot(normalReflectivity.xyz, ray.direction) <= 0.0 || doubleSided(triangleAt(triangle).w);
+}
+
+Sample sampleAt(TraceRay ray, Slab slab, float t, ivec2 texel, inout int work) {
+  Sample s = Sample(t, permute(ray.gridOrigin + ray.gridDirection * t, slab.axis).z, texel, 0, 0, noFragment, 0.0);
+  PageCursor it = firstEntry(heads[headIndex(slab.axis, texel)]);
+  bool going = it.entry != noCursor;
+  while (going) {
+    float depth = imageLoad(pool, int(it.entry) * ENTRY_TEXELS).w;
+    if (depth >= slab.depths.x && depth <= slab.depths.y) {
+      vec4 packed = imageLoad(pool, int(it.entry) * ENTRY_TEXELS + 1);
+      if (counts(ray, unpackNormalReflectivity(packed), uint(packed.w))) {
+        ++s.total;
+        if (depth < s.depth) ++s.below;
+        float away = abs(depth - s.depth), known = abs(s.nearestDepth - s.depth);
+        if (s.nearest == noFragment || away < known || (away == known && it.entry < s.nearest)) {
+          s.nearest = it.entry;
+          s.nearestDepth = depth;
+        }
+      }
+    }
+    nextEntry(it);
+    ++work;
+    going = it.entry != noCursor;
+#ifdef SORTED
+    if (depth > slab.depths.y) going = false;
+#endif
+  }
+  if (going) cut = true;
+  return s;
+}
+
+ivec2 texelAt(TraceRay ray, int axis, float t) {
+  vec2 p = permute(ray.gridOrigin + ray.gridDirection * t, axis).xy;
+  return clamp(ivec2(floor(p * float(bufferResolution))), ivec2(0), ivec2(bufferResolution - 1));
+}
+
+bool between(float value, float a, float b) { return value >= min(a, b) && value <= max(a, b); }
+
+// Whether a surface lies between two neighbouring points. Where both texels hold as many surfaces, the point has
+// changed its place in their order; where one begins or ends, the depths passed must include it.
+bool crossed(Sample a, Sample b) {
+  if (a.total == b.total) return a.below != b.below;
+  return (b.nearest != noFragment && between(b.nearestDepth, a.depth, b.depth)) ||
+         (a.nearest != noFragment && between(a.nearestDepth, a.depth, b.depth));
+}
+
+// Narrows a crossing down; keeps it where it beats `best`.
+void refine(TraceRay ray, Slab slab, Sample a, Sample b, inout Hit best, inout int work) {
+  for (int i = 0; i < refinements; ++i) {
+    float t = 0.5 * (a.t + b.t);
+    Sample middle = sampleAt(ray, slab, t, texelAt(ray, slab.axis, t), work);
+    if (crossed(a, middle))
+      b = middle;
+    else
+      a = middle;
+  }
+  // Where both sides know the surface, its crossing is where the two height differences meet.
+  float t = b.t;
+  if (a.nearest != noFragment && b.nearest != noFragment) {
+    float da = a.depth - a.nearestDepth, db = b.depth - b.nearestDepth;
+    if (da * db < 0.0) t = a.t + (b.t - a.t) * da / (da - db);
+  }
+  uint fragment = b.nearest != noFragment ? b.nearest : a.nearest;
+  if (fragment == noFragment || t < ray.least || t >= best.t) return;
+  best = Hit(t, uint(imageLoad(pool, int(fragment) * ENTRY_TEXELS + 1).w), 0.0, 0.0);
+  foundFragment = fragment;
+}
+
+void searchBuffer(TraceRay ray, int axis, float begin, float end, inout Hit best, inout int work) {
+  vec2 depths = vec2(permute(ray.gridOrigin + ray.gridDirection * begin, axis).z,
+                     permute(ray.gridOrigin + ray.gridDirection * end, axis).z);
+  // The voxel's own range, and a texel more: a surface's fragment may lie just across the border.
+  float cell = floor(0.5 * (depths.x + depths.y) * float(voxelResolution));
+  Slab slab = Slab(axis, vec2(cell, cell + 1.0) / float(voxelResolution) + vec2(-1.0, 1.0) / float(bufferResolution));
+
+  float known = best.t;
+  Sample last = sampleAt(ray, slab, begin, texelAt(ray, axis, begin), work);
+#if LINEAR_STEPS > 0
+  for (int i = 1; i <= LINEAR_STEPS; ++i) {
+    float t = begin + (end - begin) * float(i) / float(LINEAR_STEPS);
+    Sample next = sampleAt(ray, slab, t, texelAt(ray, axis, t), work);
+    if (crossed(last, next)) refine(ray, slab, last, next, best, work);
+    if (best.t < known) break;
+    last = next;
+  }
+#else
+  TexelWalk walk = startTexelWalk(ray, axis, begin);
+  float enter = begin;
+  bool going = true;
+  while (going) {
+    float leave = min(walkExit(walk), end);
+    // The middle of the texel's stretch; in the last texel its end, so that the whole stretch is looked at.
+    float t = leave < end ? 0.5 * (enter + leave) : end;
+    Sample next = sampleAt(ray, slab, max(t, last.t), walk.texel, work);
+    if (crossed(last, next)) refine(ray, slab, last, next, best, work);
+    last = next;
+    enter = leave;
+    going = !cut && best.t >= known && leave < end && stepTexelWalk(walk);
+  }
+  if (going) cut = true;
+#endif
+}
+
+// The first surface found ends the search: one surface a voxel is the methods' assumption.
+bool searchVoxel(TraceRay ray, uint mask, float begin, float end, inout Hit best, inout int work) {
+  for (int axis = 0; axis < 3; ++axis)
+    if ((mask & (1u << uint(axis))) != 0u) searchBuffer(ray, axis, begin, end, best, work);
+  return best.t < farAway;
+}
+
+void storeSurface(uint index, Hit hit) {
+  HitSurface surface = HitSurface(vec4(0.0), vec4(0.0));
+  if (hit.t >= 0.0) {
+    surface.baseColor = vec4(imageLoad(pool, int(foundFragment) * ENTRY_TEXELS).xyz, 0.0);
+    surface.normalReflectivity = unpackNormalReflectivity(imageLoad(pool, int(foundFragment) * ENTRY_TEXELS + 1));
+  }
+  hitSurfaces[index] = surface;
+}

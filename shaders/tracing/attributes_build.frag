@@ -1,0 +1,44 @@
+// Stores fragments with their attributes: in the A-buffer of their voxel's dominant axis only (single), or of every
+// projection (three; Hu et al. 2014).
+#include "shared/bindings.h"
+#include "shared/structs.h"
+#include "lib/frame.glsl"
+#include "lib/scene.glsl"
+#include "lib/textures.glsl"
+#include "lib/alpha.glsl"
+#include "lib/surface.glsl"
+#include "tracing/stored_surface.glsl"
+#include "tracing/grid.glsl"
+#define PAGE_ACCESS coherent
+#define PAGE_WRITE
+#include "tracing/pages.glsl"
+#define VOXEL_ACCESS readonly
+#include "tracing/voxel_store.glsl"
+#define POOL_ACCESS writeonly
+#include "tracing/attributes_entry.glsl"
+
+uniform int storeAll;     // 1: three buffers
+uniform float texelSize;  // metres, the footprint of a fragment
+
+layout(location = 0) flat in uint inTriangle;
+layout(location = 1) flat in int inAxis;
+layout(location = 2) in vec3 inBarycentricsDepth;
+
+void main() {
+  vec2 barycentrics = inBarycentricsDepth.xy;
+  if (cutAway(inTriangle, barycentrics)) return;
+  ivec2 texel = ivec2(gl_FragCoord.xy);
+  countAt(COUNTER_FRAGMENTS, texel);
+  float depth = inBarycentricsDepth.z;
+  if (storeAll == 0) {
+    ivec3 cell = ivec3(texel * voxelResolution / bufferResolution,
+                       clamp(int(floor(depth * float(voxelResolution))), 0, voxelResolution - 1));
+    if ((voxelMask(ivec3(unpermute(vec3(cell), inAxis))) & (1u << uint(inAxis))) == 0u) return;
+  }
+  uint entry = reserveEntry(headIndex(inAxis, texel));
+  if (entry == noEntry) return;
+  StoredSurface surface = evaluateStoredSurface(inTriangle, barycentrics, texelSize);
+  imageStore(pool, int(entry) * ENTRY_TEXELS, vec4(surface.baseColor, depth));
+  imageStore(pool, int(entry) * ENTRY_TEXELS + 1, packNormal(surface.normal, surface.reflectivity, inTriangle));
+  countAt(COUNTER_STORED_X + uint(inAxis), texel);
+}

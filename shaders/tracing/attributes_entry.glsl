@@ -1,0 +1,17 @@
+// A fragment with its surface attributes in two RGBA32F texels (Kastrati & Goswami 2017, figure 2): base colour and
+// depth; reflectivity, whose sign bit is the sign of normal.x, normal.y, normal.z and the triangle's number. The number
+// is kept as a float's value, which is exact up to 2^24.
+#define ENTRY_TEXELS 2
+
+layout(rgba32f, binding = IMAGE_POOL) POOL_ACCESS uniform imageBuffer pool;
+
+vec4 packNormal(vec3 normal, float reflectivity, uint triangle) {
+  uint bits = floatBitsToUint(abs(reflectivity)) | (normal.x < 0.0 ? 0x80000000u : 0u);
+  return vec4(uintBitsToFloat(bits), normal.y, normal.z, float(triangle));
+}
+
+vec4 unpackNormalReflectivity(vec4 packed) {
+  bool negative = (floatBitsToUint(packed.x) & 0x80000000u) != 0u;
+  float x = sqrt(max(0.0, 1.0 - packed.y * packed.y - packed.z * packed.z));
+  return vec4(negative ? -x : x, packed.y, packed.z, abs(packed.x));
+}

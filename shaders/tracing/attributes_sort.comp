@@ -1,0 +1,63 @@
+// Sorts each texel's linked list by depth, then triangle (Hu et al. 2014, section 3.1): one level of a bottom-up merge
+// sort a dispatch, runs of `runLength` merged in pairs by relinking. One invocation a texel; pages hold one entry.
+#include "shared/bindings.h"
+#include "shared/tracing.h"
+
+layout(local_size_x = 64) in;
+layout(std430, binding = SSBO_HEADS) buffer HeadBlock { uint heads[]; };
+layout(std430, binding = SSBO_LINKS) buffer LinkBlock { uint links[]; };
+layout(std430, binding = SSBO_COUNTERS) buffer CounterBlock { uint counters[]; };
+#define POOL_ACCESS readonly
+#include "tracing/attributes_entry.glsl"
+
+uniform uint headCount;
+uniform uint runLength;
+
+bool before(uint a, uint b) {
+  float da = imageLoad(pool, int(a - 1u) * ENTRY_TEXELS).w, db = imageLoad(pool, int(b - 1u) * ENTRY_TEXELS).w;
+  if (da != db) return da < db;
+  return imageLoad(pool, int(a - 1u) * ENTRY_TEXELS + 1).w <= imageLoad(pool, int(b - 1u) * ENTRY_TEXELS + 1).w;
+}
+
+// First node after `count` nodes of a list (0: its end).
+uint skip(uint node, uint count) {
+  for (uint i = 0u; i < count && node != 0u; ++i) node = links[node - 1u];
+  return node;
+}
+
+void main() {
+  uint index = gl_GlobalInvocationID.x + gl_GlobalInvocationID.y * gl_NumWorkGroups.x * gl_WorkGroupSize.x;
+  if (index >= headCount) return;
+  uint head = (heads[index] & ~HEAD_INCOMPLETE) >> PAGE_FILL_BITS;
+  if (head == 0u) return;
+  uint left = head, first = 0u, tail = 0u;
+  uint merges = 0u;
+  while (left != 0u) {
+    uint right = skip(left, runLength), next = skip(right, runLength);
+    uint leftLeft = runLength, rightLeft = runLength;
+    uint a = left, b = right;
+    if (b != 0u) ++merges;
+    while ((a != 0u && leftLeft > 0u) || (b != 0u && rightLeft > 0u)) {
+      bool aEnded = a == 0u || leftLeft == 0u, bEnded = b == 0u || rightLeft == 0u;
+      bool takeA = bEnded || (!aEnded && before(a, b));
+      uint node = takeA ? a : b;
+      if (takeA) {
+        a = links[a - 1u];
+        --leftLeft;
+      } else {
+        b = links[b - 1u];
+        --rightLeft;
+      }
+      if (tail == 0u)
+        first = node;
+      else
+        links[tail - 1u] = node;
+      tail = node;
+    }
+    left = next;
+  }
+  links[tail - 1u] = 0u;
+  heads[index] = (heads[index] & HEAD_INCOMPLETE) | (first << PAGE_FILL_BITS) | 1u;
+  // The host goes on with longer runs while any list still had two to merge.
+  if (merges > 0u) counters[COUNTER_UNSORTED] = 1u;
+}

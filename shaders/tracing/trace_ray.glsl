@@ -1,0 +1,87 @@
+// Tracing of one ray of the queue: 3D-DDA through the voxels; in an occupied one the method's searchVoxel(). Entry
+// points: trace.comp and trace.frag, which give bit-identical results.
+#include "shared/bindings.h"
+#include "shared/structs.h"
+#include "lib/frame.glsl"
+#include "lib/scene.glsl"
+#include "lib/textures.glsl"
+#include "lib/alpha.glsl"
+#include "tracing/grid.glsl"
+#define PAGE_ACCESS readonly
+#include "tracing/pages.glsl"
+#define VOXEL_ACCESS readonly
+#include "tracing/voxel_store.glsl"
+#include "tracing/ray_triangle.glsl"
+#include "tracing/walk.glsl"
+
+layout(std430, binding = SSBO_RAYS) readonly buffer RayBlock { Ray rays[]; };
+layout(std430, binding = SSBO_RAY_COUNT) coherent buffer RayCountBlock { RayCount rayCount; };
+layout(std430, binding = SSBO_HITS) buffer HitBlock { Hit hits[]; };
+
+// Some drivers stop all loops of a shader, silently, after a number of iterations (65,535 on Mesa's llvmpipe, summed
+// over the rays that run in one vector). So a ray that has done `workLimit` of them leaves the rest to the next
+// dispatch (`resuming`); every loop notices when it was stopped from outside (`cut`), and the ray then goes on from the
+// last voxel that it had done. What the last dispatch leaves is given up, counted and marked, like a ray that came by
+// a texel with lost fragments.
+uniform int workLimit;
+uniform int resuming;
+uniform int lastDispatch;
+bool cut = false;
+
+#ifdef METHOD_IDENTITY
+#include "tracing/identity.glsl"
+#endif
+#ifdef METHOD_ATTRIBUTES
+#include "tracing/attributes.glsl"
+#endif
+
+void traceRay(uint index) {
+  float from = 0.0;
+  if (resuming == 1) {
+    if (hits[index].triangle != UNFINISHED_TRIANGLE) return;
+    from = hits[index].t;
+  }
+  Ray queued = rays[index];
+  TraceRay ray;
+  ray.origin = queued.originPixel.xyz;
+  ray.direction = queued.directionExclude.xyz;
+  ray.gridOrigin = toGrid(ray.origin);
+  ray.gridDirection = ray.direction * gridInverse;
+  ray.excluded = floatBitsToUint(queued.directionExclude.w);
+  ray.least = frame.boundsHigh.w;
+  ray.shear = makeShear(ray.direction);
+
+  Hit best = Hit(farAway, NO_TRIANGLE, 0.0, 0.0);
+  vec2 range = gridRange(ray);
+  float t = max(range.x, from);
+  int work = 0;
+  bool yielded = false;
+  bool going = t < range.y;
+  VoxelWalk walk = startVoxelWalk(ray, t);
+  while (going) {
+    float leave = max(t, min(voxelExit(walk), range.y));
+    uint mask = voxelMask(walk.voxel);
+    bool found = mask != 0u && searchVoxel(ray, mask, t, leave, best, work);
+    going = !found && !cut && leave < range.y && stepVoxelWalk(ray, walk);
+    if (going) {
+      t = leave;
+      yielded = ++work >= workLimit;
+      going = !yielded;
+    }
+  }
+  if (cut || yielded || going) {
+    if (lastDispatch == 0) {
+      hits[index] = Hit(t, UNFINISHED_TRIANGLE, 0.0, 0.0);
+      atomicAdd(rayCount.unfinished, 1u);
+      return;
+    }
+    incomplete = true;
+  }
+  if (incomplete) {
+    atomicAdd(rayCount.overflow, 1u);
+    best = Hit(HIT_OVERFLOW, NO_TRIANGLE, 0.0, 0.0);
+  }
+  if (best.t == farAway) best.t = HIT_MISS;
+  hits[index] = best;
+  storeSurface(index, best);
+}

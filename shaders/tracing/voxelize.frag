@@ -1,0 +1,65 @@
+// Marks voxels with the axis of their triangles (ACCUMULATE off: each triangle's own axis), or sums up normals for the
+// dominant axis (Hu et al. 2014, section 3.1; Kastrati & Goswami 2017, section 3.2.1). The sums are fixed-point
+// integers: unlike a moving average they do not depend on the order of the fragments.
+#include "shared/bindings.h"
+#include "shared/structs.h"
+#include "lib/frame.glsl"
+#include "lib/scene.glsl"
+#include "tracing/grid.glsl"
+#include "tracing/triangle_normal.glsl"
+#include "tracing/texel_overlap.glsl"
+#define VOXEL_ACCESS coherent
+#define VOXEL_WRITE
+#include "tracing/voxel_store.glsl"
+
+#ifdef ACCUMULATE
+layout(std430, binding = SSBO_NORMAL_X) buffer NormalX { int normalX[]; };
+layout(std430, binding = SSBO_NORMAL_Y) buffer NormalY { int normalY[]; };
+layout(std430, binding = SSBO_NORMAL_Z) buffer NormalZ { int normalZ[]; };
+uniform int absoluteNormals;  // 1: votes by area, 0: signed normals
+#endif
+
+uniform int rasterResolution;
+
+layout(location = 0) flat in uint inTriangle;
+layout(location = 1) flat in int inAxis;
+layout(location = 2) in float inDepth;
+
+void storeVoxel(ivec3 voxel, vec3 a, vec3 b, vec3 c) {
+#ifdef ACCUMULATE
+  vec3 normal = unitOrZero(gridNormal(a, b, c));
+  if (absoluteNormals == 1) normal = abs(normal);
+  ivec3 votes = ivec3(round(normal * NORMAL_SCALE));
+  uint index = voxelIndex(voxel);
+  atomicAdd(normalX[index], votes.x);
+  atomicAdd(normalY[index], votes.y);
+  atomicAdd(normalZ[index], votes.z);
+  // A voxel is occupied even where its normals cancel; voxel_axis.comp replaces the mark by the dominant axis.
+  markVoxel(voxel, 7u);
+#else
+  markVoxel(voxel, 1u << uint(inAxis));
+#endif
+}
+
+void main() {
+  vec3 a, b, c;
+  trianglePositions(inTriangle, a, b, c);
+  ivec2 texel = ivec2(gl_FragCoord.xy);
+#ifdef CONSERVATIVE
+  // The raster is the voxel grid's own.
+  vec2 depths;
+  if (!touchesTexel(permute(toGrid(a), inAxis), permute(toGrid(b), inAxis), permute(toGrid(c), inAxis), texel,
+                    float(rasterResolution), depths))
+    return;
+  int first = int(floor(depths.x * float(voxelResolution) - overlapSlack));
+  int last = int(floor(depths.y * float(voxelResolution) + overlapSlack));
+  first = clamp(first, 0, voxelResolution - 1);
+  last = clamp(last, 0, voxelResolution - 1);
+  for (int depth = first; depth <= last; ++depth)
+    storeVoxel(ivec3(unpermute(vec3(texel, depth), inAxis)), a, b, c);
+#else
+  ivec2 column = texel * voxelResolution / rasterResolution;
+  int depth = clamp(int(floor(inDepth * float(voxelResolution))), 0, voxelResolution - 1);
+  storeVoxel(ivec3(unpermute(vec3(column, depth), inAxis)), a, b, c);
+#endif
+}
