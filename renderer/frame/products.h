@@ -48,14 +48,14 @@ struct ShadowMaps {
 // One surface a pixel. Position is exact: the pixel's ray through the triangle, not the rasterizer's interpolation.
 struct GBuffer {
   int width = 0, height = 0;
-  gl::Texture depth;       // D32F, of the rasterization
+  gl::Texture depth;       // D32F, of the rasterization; reversed: 1 at the near plane, 0 far away
   gl::Texture visibility;  // R32UI: triangle + 1, or 0
   gl::Texture position;    // RGBA32F: xyz, w metres along the view axis; w = 0 where there is no surface
   gl::Texture normal;      // RGBA32F: shading normal, w reflectivity (faded by roughness)
   gl::Texture baseColor;   // RGBA16F: rgb, a occlusion
-  gl::Texture material;    // RGBA16F: f0 rgb, roughness
+  gl::Texture material;    // RGBA16F: f0 rgb, roughness; -1 for unlit
   gl::Texture emissive;    // RGBA16F: rgb, a metallic
-  gl::Texture shaded;      // RGBA16F -> RGBA32F where layers are read: deferred radiance, a sky visibility
+  gl::Texture shaded;      // RGBA32F: deferred radiance, a sky visibility
   gl::Texture reflection;  // RGBA32F: radiance of the traced rays, a 1 where traced
   std::size_t bytes() const;
 };

@@ -95,7 +95,7 @@ Surface evaluateSurface(uint triangle, vec2 barycentrics, vec3 direction, float 
                            : sampleTexture(binding, coordinates.xy, ddx.xy, ddy.xy);
   }
 
-  s.unlit = (flags & MATERIAL_UNLIT) != 0u;
+  s.unlit = (flags & MATERIAL_UNLIT) != 0u && !mirror;
   s.baseColor = (materials[m].baseColor * vertexColor * texels[TEXTURE_BASE_COLOR]).rgb;
   s.emissive = materials[m].emissiveCutoff.rgb * texels[TEXTURE_EMISSIVE].rgb;
   s.roughness = clamp(materials[m].roughness * texels[TEXTURE_METALLIC_ROUGHNESS].g, 0.0, 1.0);

@@ -1,0 +1,169 @@
+#include "frame/gpu_scene.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/error.h"
+#include "frame/material_textures.h"
+#include "frame/shared_structs.h"
+#include "scene/alpha.h"
+
+namespace halfsilver {
+namespace {
+
+constexpr std::uint32_t kMagnifyNearest = 16, kMinifyNearest = 32, kNoMipmaps = 64, kSecondUvSet = 128;
+
+std::uint32_t wrapBits(Wrap wrap) {
+  switch (wrap) {
+    case Wrap::repeat:
+      return 0;
+    case Wrap::mirror:
+      return 1;
+    case Wrap::clamp:
+      break;
+  }
+  return 2;
+}
+
+shared::GpuTexture packTexture(const TextureUse& use, const std::vector<std::uint32_t>& locations) {
+  shared::GpuTexture packed{};
+  packed.location = use.texture < 0 ? NO_TEXTURE : locations[static_cast<std::size_t>(use.texture)];
+  packed.sampling = wrapBits(use.wrapU) | wrapBits(use.wrapV) << 2 |
+                    (use.magnify == Filter::nearest ? kMagnifyNearest : 0) |
+                    (use.minify == Filter::nearest ? kMinifyNearest : 0) | (use.mipmaps ? 0 : kNoMipmaps) |
+                    (use.uvSet == 1 ? kSecondUvSet : 0);
+  for (int i = 0; i < 3; ++i) {
+    packed.transform[i] = use.transform[0][i];
+    packed.transform[3 + i] = use.transform[1][i];
+  }
+  return packed;
+}
+
+shared::GpuMaterial packMaterial(const Material& material, bool holes, const std::vector<std::uint32_t>& locations) {
+  const bool blend = material.alphaMode == AlphaMode::blend;
+  const float ratio = (material.ior - 1) / (material.ior + 1);
+  shared::GpuMaterial packed{};
+  packed.baseColor = material.baseColor;
+  packed.emissiveCutoff = glm::vec4(material.emissive, blend ? 0.5f : material.alphaCutoff);
+  packed.specular = glm::vec4(material.specularColor, material.specular);
+  packed.metallic = material.metallic;
+  packed.roughness = material.roughness;
+  packed.normalScale = material.normalScale;
+  packed.occlusionStrength = material.occlusionStrength;
+  packed.dielectricF0 = ratio * ratio;
+  packed.mirror = material.mirror.value_or(0.0f);
+  packed.flags = (material.doubleSided ? MATERIAL_DOUBLE_SIDED : 0) | (holes ? MATERIAL_CUT : 0) |
+                 (blend ? MATERIAL_BLEND : 0) | (material.unlit ? MATERIAL_UNLIT : 0) |
+                 (material.mirror ? MATERIAL_MIRROR : 0);
+  packed.textures[TEXTURE_BASE_COLOR] = packTexture(material.baseColorTexture, locations);
+  packed.textures[TEXTURE_METALLIC_ROUGHNESS] = packTexture(material.metallicRoughnessTexture, locations);
+  packed.textures[TEXTURE_NORMAL] = packTexture(material.normalTexture, locations);
+  packed.textures[TEXTURE_OCCLUSION] = packTexture(material.occlusionTexture, locations);
+  packed.textures[TEXTURE_EMISSIVE] = packTexture(material.emissiveTexture, locations);
+  packed.textures[TEXTURE_SPECULAR] = packTexture(material.specularTexture, locations);
+  packed.textures[TEXTURE_SPECULAR_COLOR] = packTexture(material.specularColorTexture, locations);
+  return packed;
+}
+
+void writeVertices(GpuScene& gpu, const Scene& scene, std::size_t first, std::size_t count) {
+  std::vector<float> positions(3 * count);
+  std::vector<shared::VertexAttributes> attributes(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vertex& vertex = scene.vertices[first + i];
+    for (int axis = 0; axis < 3; ++axis) positions[3 * i + static_cast<std::size_t>(axis)] = vertex.position[axis];
+    attributes[i] = {glm::vec4(vertex.normal, vertex.uv[0].x), vertex.tangent,
+                     glm::vec4(vertex.uv[0].y, vertex.uv[1].x, vertex.uv[1].y, 0), vertex.color};
+  }
+  gpu.positions.write(std::span<const float>(positions), 3 * first);
+  gpu.attributes.write(std::span<const shared::VertexAttributes>(attributes), first);
+}
+
+void checkIndices(const Scene& scene) {
+  for (std::size_t t = 0; t < scene.triangles.size(); ++t) {
+    const Triangle& triangle = scene.triangles[t];
+    const bool inside = std::all_of(triangle.vertices.begin(), triangle.vertices.end(),
+                                    [&](std::uint32_t vertex) { return vertex < scene.vertices.size(); });
+    if (!inside || triangle.material >= scene.materials.size())
+      throw Error(ErrorKind::badInput, "scene '" + scene.name + "': triangle " + std::to_string(t) + " names a " +
+                                           (inside ? "material" : "vertex") + " that does not exist");
+  }
+  for (const Material& material : scene.materials)
+    for (const TextureUse* use : {&material.baseColorTexture, &material.metallicRoughnessTexture,
+                                  &material.normalTexture, &material.occlusionTexture, &material.emissiveTexture,
+                                  &material.specularTexture, &material.specularColorTexture})
+      if (use->texture >= static_cast<int>(scene.textures.size()) ||
+          (use->texture >= 0 && !scene.textures[static_cast<std::size_t>(use->texture)]))
+        throw Error(ErrorKind::badInput,
+                    "scene '" + scene.name + "': material '" + material.name + "' names a texture that does not exist");
+}
+
+// Triangle numbers grouped by how they are drawn, in their own order within a group.
+std::vector<std::uint32_t> groupTriangles(const Scene& scene, const std::vector<bool>& holes,
+                                          std::vector<DrawRange>& ranges) {
+  std::array<std::vector<std::uint32_t>, 4> groups;
+  for (std::size_t t = 0; t < scene.triangles.size(); ++t) {
+    const std::size_t material = scene.triangles[t].material;
+    const std::size_t group = (holes[material] ? 2u : 0u) + (scene.materials[material].doubleSided ? 1u : 0u);
+    groups[group].push_back(static_cast<std::uint32_t>(t));
+  }
+  std::vector<std::uint32_t> order;
+  order.reserve(scene.triangles.size());
+  for (std::size_t group = 0; group < groups.size(); ++group) {
+    if (groups[group].empty()) continue;
+    ranges.push_back({static_cast<std::uint32_t>(order.size()), static_cast<std::uint32_t>(groups[group].size()),
+                      (group & 1) != 0, (group & 2) != 0});
+    order.insert(order.end(), groups[group].begin(), groups[group].end());
+  }
+  return order;
+}
+
+}  // namespace
+
+GpuScene uploadScene(const gl::Api& api, const Scene& scene) {
+  checkIndices(scene);
+  GpuScene gpu;
+  gpu.vertexCount = static_cast<std::uint32_t>(scene.vertices.size());
+  gpu.triangleCount = static_cast<std::uint32_t>(scene.triangles.size());
+  gpu.bounds = scene.bounds();
+
+  const std::size_t vertices = std::max<std::size_t>(1, scene.vertices.size());  // an empty buffer cannot be bound
+  gpu.positions = gl::Buffer(api, vertices * 3 * sizeof(float), "positions");
+  gpu.attributes = gl::Buffer(api, vertices * sizeof(shared::VertexAttributes), "attributes");
+  writeVertices(gpu, scene, 0, scene.vertices.size());
+
+  std::vector<glm::uvec4> triangles;
+  triangles.reserve(scene.triangles.size());
+  for (const Triangle& triangle : scene.triangles)
+    triangles.emplace_back(triangle.vertices[0], triangle.vertices[1], triangle.vertices[2], triangle.material);
+  gpu.triangles = gl::makeBuffer(api, std::span<const glm::uvec4>(triangles), "triangles");
+
+  const std::vector<bool> holes = materialsWithHoles(scene);
+  const std::vector<std::uint32_t> order = groupTriangles(scene, holes, gpu.drawRanges);
+  gpu.drawList = gl::makeBuffer(api, std::span<const std::uint32_t>(order), "draw list");
+
+  MaterialTextures textures = uploadTextures(api, scene, holes);
+  std::vector<shared::GpuMaterial> materials;
+  for (std::size_t m = 0; m < scene.materials.size(); ++m)
+    materials.push_back(packMaterial(scene.materials[m], holes[m], textures.locations));
+  gpu.materials = gl::makeBuffer(api, std::span<const shared::GpuMaterial>(materials), "materials");
+  gpu.textures = std::move(textures.buckets);
+  gpu.warnings = std::move(textures.warnings);
+  gpu.sky = uploadSky(api, scene.sky);
+  return gpu;
+}
+
+void updateVertices(GpuScene& gpu, const Scene& scene, std::span<const VertexRange> ranges) {
+  if (scene.vertices.size() != gpu.vertexCount)
+    throw Error(ErrorKind::usage, "the scene has " + std::to_string(scene.vertices.size()) + " vertices, " +
+                                      std::to_string(gpu.vertexCount) + " were uploaded");
+  for (const VertexRange& range : ranges) {
+    if (range.first > gpu.vertexCount || range.count > gpu.vertexCount - range.first)
+      throw Error(ErrorKind::usage, "vertices " + std::to_string(range.first) + " + " + std::to_string(range.count) +
+                                        " are beyond the scene's " + std::to_string(gpu.vertexCount));
+    writeVertices(gpu, scene, range.first, range.count);
+  }
+  if (!ranges.empty()) gpu.bounds = scene.bounds();
+}
+
+}  // namespace halfsilver

@@ -1,0 +1,29 @@
+#include "frame/products.h"
+
+namespace halfsilver {
+
+void GpuScene::bind() const {
+  positions.bindStorage(SSBO_POSITIONS);
+  attributes.bindStorage(SSBO_ATTRIBUTES);
+  triangles.bindStorage(SSBO_TRIANGLES);
+  materials.bindStorage(SSBO_MATERIALS);
+  // Units without a bucket of their own are never read, but must hold a texture of the right kind.
+  for (std::size_t bucket = 0; bucket < TEXTURE_BUCKETS; ++bucket)
+    textures[bucket < textures.size() ? bucket : 0].bind(static_cast<GLuint>(UNIT_MATERIAL_TEXTURES + bucket));
+  sky.bind(UNIT_SKY);
+}
+
+void ShadowMaps::bind() const {
+  lights.bindStorage(SSBO_LIGHTS);
+  maps.bind(UNIT_SHADOW_MAPS);
+}
+
+std::size_t GBuffer::bytes() const {
+  std::size_t sum = 0;
+  for (const gl::Texture* texture :
+       {&depth, &visibility, &position, &normal, &baseColor, &material, &emissive, &shaded, &reflection})
+    sum += texture->bytes();
+  return sum;
+}
+
+}  // namespace halfsilver

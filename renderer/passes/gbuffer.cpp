@@ -1,0 +1,106 @@
+#include "passes/gbuffer.h"
+
+#include <utility>
+
+#include "frame/shared_structs.h"
+
+namespace halfsilver {
+namespace {
+
+constexpr int kTile = 8;
+
+GBuffer allocate(const gl::Api& api, int width, int height) {
+  const auto texture = [&](GLenum format, const char* label) {
+    return gl::Texture(api, {GL_TEXTURE_2D, format, width, height, 1, 1}, label);
+  };
+  GBuffer buffer;
+  buffer.width = width;
+  buffer.height = height;
+  buffer.depth = texture(GL_DEPTH_COMPONENT32F, "depth");
+  buffer.visibility = texture(GL_R32UI, "visibility");
+  buffer.position = texture(GL_RGBA32F, "position");
+  buffer.normal = texture(GL_RGBA32F, "normal");
+  buffer.baseColor = texture(GL_RGBA16F, "base color");
+  buffer.material = texture(GL_RGBA16F, "material");
+  buffer.emissive = texture(GL_RGBA16F, "emissive");
+  buffer.shaded = texture(GL_RGBA32F, "shaded");
+  buffer.reflection = texture(GL_RGBA32F, "reflection");
+  return buffer;
+}
+
+}  // namespace
+
+GBufferPass::GBufferPass(const gl::Api& api)
+    : api_(&api),
+      opaque_(gl::Program::raster(api, "passes/visibility.vert", "passes/visibility.frag")),
+      resolve_(gl::Program::compute(api, "passes/gbuffer.comp")),
+      framebuffer_(api),
+      vertexArray_(api) {
+  const gl::Define cut[] = {{"ALPHA_TEST"}};
+  cut_ = gl::Program::raster(api, "passes/visibility.vert", "passes/visibility.frag", cut);
+}
+
+void GBufferPass::run(const GpuScene& scene, GBuffer& out, int width, int height, bool cullBackFaces,
+                      gl::Profiler& profiler) {
+  if (out.width != width || out.height != height) {
+    out = GBuffer{};  // the old memory goes before the new comes
+    out = allocate(*api_, width, height);
+  }
+  const auto section = profiler.section("gbuffer");
+  rasterize(scene, out, cullBackFaces);
+  resolve(out);
+}
+
+void GBufferPass::rasterize(const GpuScene& scene, const GBuffer& out, bool cullBackFaces) const {
+  const gl::Api& gl = *api_;
+  framebuffer_.attach(GL_COLOR_ATTACHMENT0, out.visibility);
+  framebuffer_.attach(GL_DEPTH_ATTACHMENT, out.depth);
+  framebuffer_.bind();
+  vertexArray_.bind();
+  scene.drawList.bindStorage(SSBO_DRAW_LIST);
+  gl.Viewport(0, 0, out.width, out.height);
+  gl.Disable(GL_SCISSOR_TEST);
+  gl.Disable(GL_BLEND);
+  gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  gl.DepthMask(GL_TRUE);
+  gl.Enable(GL_DEPTH_TEST);
+  gl.DepthFunc(GL_GREATER);
+  // Reversed depth in 0..1 keeps a float's relative precision at every distance.
+  gl.ClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+  gl.DepthRange(0, 1);
+  gl.FrontFace(GL_CCW);
+  gl.CullFace(GL_BACK);
+  const GLuint nothing[4] = {0, 0, 0, 0};
+  const GLfloat farthest = 0;
+  gl.ClearNamedFramebufferuiv(framebuffer_.name(), GL_COLOR, 0, nothing);
+  gl.ClearNamedFramebufferfv(framebuffer_.name(), GL_DEPTH, 0, &farthest);
+  for (const DrawRange& range : scene.drawRanges) {
+    (range.cut ? cut_ : opaque_).use();
+    if (cullBackFaces && !range.doubleSided)
+      gl.Enable(GL_CULL_FACE);
+    else
+      gl.Disable(GL_CULL_FACE);
+    gl.DrawArrays(GL_TRIANGLES, static_cast<GLint>(3 * range.first), static_cast<GLsizei>(3 * range.count));
+  }
+  gl.Disable(GL_CULL_FACE);
+  gl.Disable(GL_DEPTH_TEST);
+  gl.DepthFunc(GL_LESS);
+  gl.ClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
+}
+
+void GBufferPass::resolve(const GBuffer& out) const {
+  const gl::Api& gl = *api_;
+  resolve_.use();
+  out.visibility.bind(UNIT_VISIBILITY);
+  out.position.bindImage(IMAGE_POSITION, GL_WRITE_ONLY);
+  out.normal.bindImage(IMAGE_NORMAL, GL_WRITE_ONLY);
+  out.baseColor.bindImage(IMAGE_BASE_COLOR, GL_WRITE_ONLY);
+  out.material.bindImage(IMAGE_MATERIAL, GL_WRITE_ONLY);
+  out.emissive.bindImage(IMAGE_EMISSIVE, GL_WRITE_ONLY);
+  gl.DispatchCompute(static_cast<GLuint>((out.width + kTile - 1) / kTile),
+                     static_cast<GLuint>((out.height + kTile - 1) / kTile), 1);
+  // This dispatch writes the G-buffer's images; selection, shading and the reading of layers fetch them.
+  gl.MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
+}
+
+}  // namespace halfsilver

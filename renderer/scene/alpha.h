@@ -1,0 +1,19 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace halfsilver {
+
+// Whether the triangle has a hole at the barycentrics (weights of the second and third vertex): its base colour's
+// alpha, read at full resolution, is below the cutoff. The same answer to the bit as cutAway() of
+// shaders/lib/alpha.glsl; cheap enough to be asked for every candidate of a ray.
+bool cutAway(const Scene& scene, std::uint32_t triangle, glm::vec2 barycentrics);
+
+// One flag a material: whether cutAway() can be true on any of its triangles. Reads all texels of those materials.
+std::vector<bool> materialsWithHoles(const Scene& scene);
+
+}  // namespace halfsilver

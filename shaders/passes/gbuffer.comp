@@ -1,0 +1,34 @@
+// From triangle numbers to surfaces, one a pixel.
+#include "lib/pixel_triangle.glsl"
+#include "lib/surface.glsl"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(binding = UNIT_VISIBILITY) uniform usampler2D visibility;
+layout(rgba32f, binding = IMAGE_POSITION) uniform writeonly image2D positionImage;
+layout(rgba32f, binding = IMAGE_NORMAL) uniform writeonly image2D normalImage;
+layout(rgba16f, binding = IMAGE_BASE_COLOR) uniform writeonly image2D baseColorImage;
+layout(rgba16f, binding = IMAGE_MATERIAL) uniform writeonly image2D materialImage;
+layout(rgba16f, binding = IMAGE_EMISSIVE) uniform writeonly image2D emissiveImage;
+
+void main() {
+  ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+  if (any(greaterThanEqual(pixel, ivec2(frame.width, frame.height)))) return;
+  vec4 position = vec4(0.0), normal = vec4(0.0), baseColor = vec4(0.0), material = vec4(0.0), emissive = vec4(0.0);
+  uint visible = texelFetch(visibility, pixel, 0).x;
+  if (visible != 0u) {
+    TrianglePoint point = pointOnTriangle(visible - 1u, pixelRay(pixel));
+    float range = length(point.relative);
+    Surface s = evaluateSurface(visible - 1u, point.barycentrics, normalize(point.relative), frame.eye.w * range);
+    position = vec4(point.position, dot(point.relative, frame.forward.xyz));
+    normal = vec4(s.normal, s.reflectivity);
+    baseColor = vec4(s.baseColor, s.occlusion);
+    material = vec4(s.f0, s.unlit ? -1.0 : s.roughness);
+    emissive = vec4(s.emissive, s.metallic);
+  }
+  imageStore(positionImage, pixel, position);
+  imageStore(normalImage, pixel, normal);
+  imageStore(baseColorImage, pixel, baseColor);
+  imageStore(materialImage, pixel, material);
+  imageStore(emissiveImage, pixel, emissive);
+}

@@ -1,0 +1,69 @@
+// Pixels whose reflection is traced, compacted into a queue of rays.
+#include "lib/frame.glsl"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(binding = UNIT_VISIBILITY) uniform usampler2D visibility;
+layout(binding = UNIT_POSITION) uniform sampler2D positionTexture;
+layout(binding = UNIT_NORMAL) uniform sampler2D normalTexture;
+layout(std430, binding = SSBO_RAYS) writeonly buffer RayBlock { Ray rays[]; };
+layout(std430, binding = SSBO_RAY_COUNT) buffer RayCountBlock { RayCount rayCount; };
+
+shared uint selectedMask[2];
+shared uint keptMask[2];
+shared uint firstRay;
+
+const uint SELECT_ALL = 2u;
+
+// A threshold of the ordered dither of 256 x 256 pixels (Bayer 1973): every value occurs once in a tile and the pixels
+// below any value are spread evenly, so that smaller fractions are parts of larger ones.
+float threshold(uvec2 pixel) {
+  uint rank = 0u;
+  for (uint bit = 0u; bit < 8u; ++bit) {
+    uint x = (pixel.x >> bit) & 1u, y = (pixel.y >> bit) & 1u;
+    rank |= ((x ^ y) << 1u | y) << (2u * (7u - bit));
+  }
+  return (float(rank) + 0.5) / 65536.0;
+}
+
+void main() {
+  ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+  uint lane = gl_LocalInvocationIndex;
+  if (lane < 2u) {
+    selectedMask[lane] = 0u;
+    keptMask[lane] = 0u;
+  }
+  barrier();
+
+  bool selected = false;
+  vec4 position = vec4(0.0), normal = vec4(0.0);
+  if (all(lessThan(pixel, ivec2(frame.width, frame.height)))) {
+    position = texelFetch(positionTexture, pixel, 0);
+    normal = texelFetch(normalTexture, pixel, 0);
+    bool reflects = frame.selectMode == SELECT_ALL || normal.w > frame.minReflectivity;
+    selected = frame.selectMode != 0u && position.w > 0.0 && reflects;
+  }
+  bool kept = selected && threshold(uvec2(pixel)) < frame.selectFraction;
+  uint word = lane >> 5, bit = 1u << (lane & 31u);
+  if (selected) atomicOr(selectedMask[word], bit);
+  if (kept) atomicOr(keptMask[word], bit);
+  barrier();
+
+  if (lane == 0u) {
+    uint count = bitCount(keptMask[0]) + bitCount(keptMask[1]);
+    firstRay = count == 0u ? 0u : atomicAdd(rayCount.count, count);
+    uint before = bitCount(selectedMask[0]) + bitCount(selectedMask[1]);
+    if (before != 0u) atomicAdd(rayCount.selected, before);
+  }
+  barrier();
+  if (!kept) return;
+
+  uint index = firstRay + (word == 0u ? 0u : bitCount(keptMask[0])) + bitCount(keptMask[word] & (bit - 1u));
+  // From the stored position, so that the ray is the mirror image of the line from the eye to its origin.
+  vec3 fromEye = position.xyz - frame.eye.xyz;
+  vec3 direction = normalize(reflect(normalize(fromEye), normal.xyz));
+  uint triangle = texelFetch(visibility, pixel, 0).x - 1u;
+  rays[index].originPixel = vec4(position.xyz, uintBitsToFloat(uint(pixel.y) * frame.width + uint(pixel.x)));
+  rays[index].directionExclude = vec4(direction, uintBitsToFloat(triangle));
+  rays[index].throughput = vec4(1.0, 1.0, 1.0, length(fromEye));
+}
