@@ -1,0 +1,32 @@
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include "frame/products.h"
+#include "gl/profiler.h"
+#include "gl/program.h"
+
+namespace halfsilver {
+
+// Blends deferred shading and reflection into a framebuffer of the G-buffer's size, section "composite".
+class CompositePass {
+ public:
+  enum class Output {
+    display,  // exposed, tone mapped, sRGB-encoded by the shader, dithered: for plain 8-bit colour
+    linear    // radiance: for float colour
+  };
+
+  explicit CompositePass(const gl::Api& api);
+
+  // Draws to colour output 0 of `framebuffer` with its lower left corner at `origin`. Alpha is 1. GpuScene and
+  // UBO_FRAME are bound; units of material textures are bound anew.
+  void run(const GBuffer& gbuffer, Output output, GLuint framebuffer, const glm::ivec2& origin,
+           gl::Profiler& profiler) const;
+
+ private:
+  const gl::Api* api_;
+  gl::Program display_, linear_;
+  gl::EmptyVertexArray vertexArray_;
+};
+
+}  // namespace halfsilver

@@ -1,0 +1,259 @@
+#include "passes/light_list.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/constants.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+#include <limits>
+
+#include "passes/sky_light.h"
+
+namespace halfsilver {
+namespace {
+
+using glm::mat4;
+using glm::vec3;
+using glm::vec4;
+
+// The sky's light is smooth: a sixteenth of a layer a direction, but not less than this many texels a side.
+constexpr int kSkyTiles = 4;
+constexpr int kLeastTile = 64;
+// Texels around a fitted view that the filter may reach.
+constexpr int kMargin = 4;
+// Mean reflectance that is assumed for light which reaches a surface by way of others.
+constexpr float kAlbedo = 0.4f;
+// Share of the bounced light that also reaches places which see no sky.
+constexpr float kSteadyBounce = 0.35f;
+
+std::array<vec3, 8> corners(const Bounds& bounds) {
+  std::array<vec3, 8> all;
+  for (unsigned i = 0; i < 8; ++i)
+    all[i] = {i & 1 ? bounds.high.x : bounds.low.x, i & 2 ? bounds.high.y : bounds.low.y,
+              i & 4 ? bounds.high.z : bounds.low.z};
+  return all;
+}
+
+// Bounds that can be looked at: not empty, not flat.
+Bounds solid(Bounds bounds) {
+  if (bounds.empty()) bounds.add(vec3(0));
+  const float least = std::max(1e-4f * bounds.diagonal(), 1e-6f);
+  bounds.low -= vec3(least);
+  bounds.high += vec3(least);
+  return bounds;
+}
+
+// Clip space to a rectangle of a layer (0..1) and depth 0..1.
+mat4 clipToMap(const glm::ivec4& rectangle, int resolution) {
+  const glm::vec2 scale = glm::vec2(rectangle.z, rectangle.w) / static_cast<float>(resolution);
+  const glm::vec2 offset = glm::vec2(rectangle.x, rectangle.y) / static_cast<float>(resolution);
+  return glm::translate(mat4(1), vec3(offset + 0.5f * scale, 0.5f)) * glm::scale(mat4(1), vec3(0.5f * scale, 0.5f));
+}
+
+struct Fit {
+  mat4 worldToClip{1};
+  float texel = 0;  // metres
+};
+
+// The smallest orthographic view of the bounds along a direction, among those that lie along one of the axes.
+Fit fitOrthographic(const Bounds& bounds, const vec3& direction, int size) {
+  const std::array<vec3, 8> points = corners(bounds);
+  Fit best;
+  float bestArea = std::numeric_limits<float>::max();
+  for (int axis = 0; axis < 3; ++axis) {
+    vec3 along(0);
+    along[axis] = 1;
+    const vec3 across = glm::cross(direction, along);
+    if (glm::length(across) < 1e-3f) continue;
+    const vec3 right = glm::normalize(across);
+    const vec3 up = glm::cross(right, direction);
+    Bounds view;
+    for (const vec3& p : points) view.add({glm::dot(p, right), glm::dot(p, up), glm::dot(p, direction)});
+    const vec3 extent = view.extent();
+    if (extent.x * extent.y >= bestArea) continue;
+    bestArea = extent.x * extent.y;
+    const float inner = static_cast<float>(size) / static_cast<float>(size - 2 * std::min(kMargin, size / 4));
+    const vec3 half = 0.5f * extent * vec3(inner, inner, 1.002f);
+    const vec3 center = view.center();
+    mat4 m(1);
+    const vec3 rows[3] = {right / half.x, up / half.y, direction / half.z};
+    for (int r = 0; r < 3; ++r) {
+      for (int c = 0; c < 3; ++c) m[c][r] = rows[r][c];
+      m[3][r] = -center[r] / half[r];
+    }
+    best.worldToClip = m;
+    best.texel = 2 * std::max(half.x, half.y) / static_cast<float>(size);
+  }
+  return best;
+}
+
+// A perspective view from a light; `spread` is the tangent of half its angle.
+Fit fitPerspective(const Bounds& bounds, const Light& light, const vec3& direction, const vec3& up, float spread,
+                   int size) {
+  float far = 0;
+  for (const vec3& p : corners(bounds)) far = std::max(far, glm::distance(p, light.position));
+  if (light.range > 0) far = std::min(far, light.range);
+  const float near = 2e-4f * far;
+  Fit fit;
+  fit.worldToClip = glm::frustum(-spread * near, spread * near, -spread * near, spread * near, near, far) *
+                    glm::lookAt(light.position, light.position + direction, up);
+  fit.texel = 2 * spread / static_cast<float>(size);
+  return fit;
+}
+
+int layersOf(LightType type) { return type == LightType::point ? 6 : 1; }
+
+// Shares the layers out: how many lights, from the first, have shadows, and how many tiles the sky has.
+struct Shares {
+  int lightLayers = 0;
+  std::size_t shadowed = 0;
+  int tile = 0;  // texels a side
+  int tilesPerLayer = 1;
+  int directions = 0;
+};
+
+Shares share(std::span<const Light> lights, const LightListLimits& limits, std::vector<std::string>& warnings) {
+  Shares shares;
+  shares.tile = std::max(limits.resolution / kSkyTiles, std::min(limits.resolution, kLeastTile));
+  const int perSide = limits.resolution / shares.tile;
+  shares.tilesPerLayer = perSide * perSide;
+  for (const Light& light : lights) {
+    if (shares.lightLayers + layersOf(light.type) > limits.layers) break;
+    shares.lightLayers += layersOf(light.type);
+    ++shares.shadowed;
+  }
+  const long long room = static_cast<long long>(limits.layers - shares.lightLayers) * shares.tilesPerLayer;
+  shares.directions = static_cast<int>(std::min<long long>(limits.skyDirections, room));
+  if (shares.directions < limits.skyDirections)
+    warnings.push_back("shadow maps: room for " + std::to_string(shares.directions) + " of " +
+                       std::to_string(limits.skyDirections) + " directions of the sky");
+  if (shares.shadowed < lights.size())
+    warnings.push_back("shadow maps: no room for the shadows of " + std::to_string(lights.size() - shares.shadowed) +
+                       " of " + std::to_string(lights.size()) + " lights");
+  return shares;
+}
+
+void addView(LightList& list, shared::GpuLight& light, int matrix, const Fit& fit, int layer,
+             const glm::ivec4& rectangle, int resolution) {
+  list.views.push_back({layer, rectangle, fit.worldToClip});
+  light.shadow[matrix] = clipToMap(rectangle, resolution) * fit.worldToClip;
+  light.color.w = fit.texel;
+  if (matrix == 0) light.cone.z = static_cast<float>(layer);
+  light.cone.w = static_cast<float>(matrix + 1);
+}
+
+shared::GpuLight makeLight(vec3 direction, unsigned type, const vec3& color) {
+  shared::GpuLight light{};
+  light.directionType = vec4(direction, static_cast<float>(type));
+  light.color = vec4(color, 0);
+  light.cone.z = -1;
+  return light;
+}
+
+void addLight(LightList& list, const Bounds& bounds, const Light& source, bool shadowed, int resolution) {
+  const float length = glm::length(source.direction);
+  const vec3 direction = length > 0 ? source.direction / length : vec3(0, -1, 0);
+  const unsigned type = source.type == LightType::directional ? LIGHT_DIRECTIONAL
+                        : source.type == LightType::point     ? LIGHT_POINT
+                                                              : LIGHT_SPOT;
+  shared::GpuLight light = makeLight(direction, type, source.color * source.intensity);
+  light.positionRange = vec4(source.position, source.range);
+  if (source.type == LightType::spot) {
+    const float inner = std::cos(source.innerConeAngle), outer = std::cos(source.outerConeAngle);
+    light.cone.x = 1.0f / std::max(1e-3f, inner - outer);
+    light.cone.y = -outer * light.cone.x;
+  }
+  const glm::ivec4 whole(0, 0, resolution, resolution);
+  const vec3 side = std::abs(direction.y) > 0.99f ? vec3(1, 0, 0) : vec3(0, 1, 0);
+  if (!shadowed) {
+    list.lights.push_back(light);
+    return;
+  }
+  if (source.type == LightType::directional) {
+    addView(list, light, 0, fitOrthographic(bounds, direction, resolution), list.layers, whole, resolution);
+  } else {
+    // Room for the filter beyond the cone or the cube's edge.
+    const float room = 1 + 2.0f * static_cast<float>(kMargin) / static_cast<float>(resolution);
+    if (source.type == LightType::spot) {
+      const float spread = room * std::tan(std::clamp(source.outerConeAngle, 0.01f, glm::radians(80.0f)));
+      addView(list, light, 0, fitPerspective(bounds, source, direction, side, spread, resolution), list.layers, whole,
+              resolution);
+    } else {
+      for (int face = 0; face < 6; ++face) {  // +x, -x, +y, -y, +z, -z
+        vec3 axis(0);
+        axis[face / 2] = face % 2 ? -1.0f : 1.0f;
+        const vec3 up = face / 2 == 1 ? vec3(0, 0, 1) : vec3(0, 1, 0);
+        addView(list, light, face, fitPerspective(bounds, source, axis, up, room, resolution), list.layers + face,
+                whole, resolution);
+      }
+    }
+  }
+  list.layers += layersOf(source.type);
+  list.lights.push_back(light);
+}
+
+void addSky(LightList& list, const Bounds& bounds, const SkyLight& sky, const Shares& shares, int resolution) {
+  int tile = 0;
+  const int perSide = resolution / shares.tile;
+  for (const SkyDirection& direction : sky.directions) {
+    shared::GpuLight light = makeLight(-direction.direction, LIGHT_SKY, direction.irradiance);
+    const int inLayer = tile % shares.tilesPerLayer;
+    const glm::ivec4 rectangle(inLayer % perSide * shares.tile, inLayer / perSide * shares.tile, shares.tile,
+                               shares.tile);
+    addView(list, light, 0, fitOrthographic(bounds, -direction.direction, shares.tile),
+            list.layers + tile / shares.tilesPerLayer, rectangle, resolution);
+    list.lights.push_back(light);
+    ++tile;
+  }
+  list.layers += (tile + shares.tilesPerLayer - 1) / shares.tilesPerLayer;
+}
+
+// Mean irradiance, over the six sides of the bounds seen from inside, of all lights but the sky.
+vec3 meanIrradiance(const Bounds& bounds, std::span<const Light> lights) {
+  const vec3 size = bounds.extent();
+  const vec3 sides(size.y * size.z, size.z * size.x, size.x * size.y);
+  const float area = 2 * (sides.x + sides.y + sides.z);
+  vec3 flux(0);
+  for (const Light& light : lights) {
+    const vec3 power = light.color * light.intensity;
+    const float length = std::max(glm::length(light.direction), 1e-20f);
+    if (light.type == LightType::directional) {
+      flux += power * glm::dot(glm::abs(light.direction / length), sides);
+    } else {
+      const float half = light.type == LightType::spot ? light.outerConeAngle : glm::pi<float>();
+      flux += power * 2.0f * glm::pi<float>() * (1 - std::cos(half));
+    }
+  }
+  return flux / area;
+}
+
+void addHemisphere(LightList& list, const vec3& from, const vec3& irradiance, float steady) {
+  if (irradiance == vec3(0)) return;
+  shared::GpuLight light = makeLight(-from, LIGHT_SKY, irradiance);
+  light.cone.x = steady;
+  list.lights.push_back(light);
+}
+
+}  // namespace
+
+LightList makeLightList(const Bounds& sceneBounds, std::span<const Light> lights, const Sky& sky,
+                        const LightListLimits& limits) {
+  const Bounds bounds = solid(sceneBounds);
+  LightList list;
+  const Shares shares = share(lights, limits, list.warnings);
+  for (std::size_t i = 0; i < lights.size(); ++i)
+    addLight(list, bounds, lights[i], i < shares.shadowed, limits.resolution);
+
+  const SkyLight skyLight = integrateSky(sky, shares.directions);
+  addSky(list, bounds, skyLight, shares, limits.resolution);
+  const vec3 up(0, 1, 0);
+  if (shares.directions == 0) addHemisphere(list, up, skyLight.upper, 1);
+  // Light that other surfaces send on: most of it from below, a third as much from above. A black sky asks for direct
+  // light alone.
+  const bool black = skyLight.upper == vec3(0) && skyLight.lower == vec3(0);
+  const vec3 bounce = black ? vec3(0) : kAlbedo * meanIrradiance(bounds, lights);
+  addHemisphere(list, -up, skyLight.lower + bounce, kSteadyBounce);
+  addHemisphere(list, up, bounce / 3.0f, kSteadyBounce);
+  return list;
+}
+
+}  // namespace halfsilver

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <glm/glm.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/bounds.h"
+#include "frame/shared_structs.h"
+#include "scene/scene.h"
+
+namespace halfsilver {
+
+// One drawing of the scene into the shadow maps.
+struct ShadowView {
+  int layer = 0;
+  glm::ivec4 rectangle{0};  // x, y, width, height in texels of the layer
+  glm::mat4 worldToClip{1};
+};
+
+// Everything that shaders know of light, and what has to be drawn for it.
+struct LightList {
+  std::vector<shared::GpuLight> lights;
+  std::vector<ShadowView> views;
+  int layers = 0;
+  std::vector<std::string> warnings;
+};
+
+struct LightListLimits {
+  int resolution = 1024;   // texels along a layer
+  int skyDirections = 12;  // at most
+  int layers = 256;        // at most
+};
+
+// Lights with places in the shadow maps: a layer for a directional light or a spot, six for a point light, a tile of a
+// shared layer for each direction of the sky. Where the layers do not suffice, the sky has fewer directions; where
+// that is not enough, the last lights cast no shadows. Both are said in the warnings.
+LightList makeLightList(const Bounds& bounds, std::span<const Light> lights, const Sky& sky,
+                        const LightListLimits& limits);
+
+}  // namespace halfsilver

@@ -1,0 +1,24 @@
+#include "passes/shade.h"
+
+namespace halfsilver {
+
+ShadePass::ShadePass(const gl::Api& api) : api_(&api), program_(gl::Program::compute(api, "passes/shade.comp")) {}
+
+void ShadePass::run(const GBuffer& gbuffer, gl::Profiler& profiler) const {
+  const auto section = profiler.section("shade");
+  gbuffer.position.bind(UNIT_POSITION);
+  gbuffer.normal.bind(UNIT_NORMAL);
+  gbuffer.baseColor.bind(UNIT_BASE_COLOR);
+  gbuffer.material.bind(UNIT_MATERIAL);
+  gbuffer.emissive.bind(UNIT_EMISSIVE);
+  gbuffer.visibility.bind(UNIT_VISIBILITY);
+  gbuffer.shaded.bindImage(IMAGE_SHADED, GL_WRITE_ONLY);
+  program_.use();
+  constexpr int kGroup = 8;
+  api_->DispatchCompute(static_cast<GLuint>((gbuffer.width + kGroup - 1) / kGroup),
+                        static_cast<GLuint>((gbuffer.height + kGroup - 1) / kGroup), 1);
+  // The shaded pixels (compute) are read by the composite pass and by read-backs.
+  api_->MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
+}
+
+}  // namespace halfsilver

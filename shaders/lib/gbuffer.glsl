@@ -1,0 +1,9 @@
+// The G-buffer as later passes read it (see GBuffer in frame/products.h).
+#include "lib/frame.glsl"
+
+layout(binding = UNIT_POSITION) uniform sampler2D gPosition;
+layout(binding = UNIT_NORMAL) uniform sampler2D gNormal;
+layout(binding = UNIT_BASE_COLOR) uniform sampler2D gBaseColor;
+layout(binding = UNIT_MATERIAL) uniform sampler2D gMaterial;
+layout(binding = UNIT_EMISSIVE) uniform sampler2D gEmissive;
+layout(binding = UNIT_VISIBILITY) uniform usampler2D gVisibility;

@@ -1,0 +1,102 @@
+// Shades what the rays found, with the lights of the deferred pass, adds it to the pixel's reflection and sends on the
+// rays of the next bounce.
+#include "lib/lights.glsl"
+#include "lib/scene.glsl"
+#include "lib/sky.glsl"
+
+layout(local_size_x = 64) in;
+
+layout(std430, binding = SSBO_RAYS) readonly buffer RayBlock { Ray rays[]; };
+layout(std430, binding = SSBO_RAY_COUNT) readonly buffer RayCountBlock { RayCount rayCount; };
+layout(std430, binding = SSBO_HITS) readonly buffer HitBlock { Hit hits[]; };
+#ifdef HIT_SURFACES
+layout(std430, binding = SSBO_HIT_SURFACES) readonly buffer HitSurfaceBlock { HitSurface hitSurfaces[]; };
+#endif
+#ifdef NEXT_BOUNCE
+layout(std430, binding = SSBO_NEXT_RAYS) writeonly buffer NextRayBlock { Ray nextRays[]; };
+layout(std430, binding = SSBO_NEXT_RAY_COUNT) buffer NextRayCountBlock { RayCount nextRayCount; };
+#endif
+
+layout(binding = IMAGE_REFLECTION, rgba32f) uniform image2D reflection;
+
+#ifdef HIT_SURFACES
+// Colour, normal and reflectivity as the method stored them; the rest from the material's factors.
+Surface storedSurface(uint index, Ray ray, Hit hit) {
+  vec3 direction = ray.directionExclude.xyz;
+  vec4 stored = hitSurfaces[index].normalReflectivity;
+  uint material = triangleAt(hit.triangle).w;
+  vec3 a, b, c;
+  trianglePositions(hit.triangle, a, b, c);
+  vec3 geometric = normalize(cross(b - a, c - a));
+
+  Surface s;
+  s.position = ray.originPixel.xyz + hit.t * direction;
+  s.geometricNormal = dot(geometric, direction) > 0.0 ? -geometric : geometric;
+  s.normal = dot(stored.xyz, direction) > 0.0 ? -stored.xyz : stored.xyz;
+  s.baseColor = hitSurfaces[index].baseColor.rgb;
+  s.emissive = materials[material].emissiveCutoff.rgb;
+  s.occlusion = 1.0;
+  s.metallic = materials[material].metallic;
+  s.roughness = materials[material].roughness;
+  s.reflectivity = stored.w;
+  uint flags = materials[material].flags;
+  s.unlit = (flags & MATERIAL_UNLIT) != 0u && (flags & MATERIAL_MIRROR) == 0u;
+  vec4 specular = materials[material].specular;
+  vec3 dielectric = min(materials[material].dielectricF0 * specular.rgb, vec3(1.0)) * specular.w;
+  s.f0 = mix(dielectric, s.baseColor, s.metallic);
+  if ((flags & MATERIAL_MIRROR) != 0u) {
+    s.f0 = vec3(materials[material].mirror);
+    s.roughness = 0.0;
+    s.metallic = 0.0;
+  }
+  return s;
+}
+#endif
+
+void main() {
+  uint index = (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * gl_WorkGroupSize.x + gl_LocalInvocationID.x;
+  if (index >= rayCount.count) return;
+  Ray ray = rays[index];
+  Hit hit = hits[index];
+  uint pixelIndex = floatBitsToUint(ray.originPixel.w);
+  ivec2 pixel = ivec2(pixelIndex % frame.width, pixelIndex / frame.width);
+  vec3 direction = ray.directionExclude.xyz;
+  vec3 throughput = ray.throughput.rgb;
+  vec4 sum = imageLoad(reflection, pixel);
+
+  // Neither hit nor miss: a pixel stays untraced (the blend falls back to the sky), a longer path ends in the sky.
+  bool answered = hit.triangle != NO_TRIANGLE || hit.t == HIT_MISS;
+  if (!answered && sum.a == 0.0) return;
+  sum.a = 1.0;
+  if (hit.triangle == NO_TRIANGLE) {
+    imageStore(reflection, pixel, vec4(sum.rgb + throughput * skyRadiance(direction, 0.0), 1.0));
+    return;
+  }
+
+  float pathLength = ray.throughput.w + hit.t;
+#ifdef HIT_SURFACES
+  Surface s = storedSurface(index, ray, hit);
+#else
+  Surface s = evaluateSurface(hit.triangle, vec2(hit.u, hit.v), direction, pathLength * frame.eye.w);
+#endif
+  vec4 lit = directLighting(s, -direction);
+  vec3 radiance = lit.rgb;
+  if (!s.unlit) {
+    float cosine = -dot(s.normal, direction);
+    vec3 share = reflectionShare(s.f0, s.roughness, cosine);
+    vec3 reflected = reflect(direction, s.normal);
+    vec3 sky = skyRadiance(reflected, s.roughness) * lit.a;
+    radiance = (1.0 - share) * lit.rgb + skyShare(s.f0, s.roughness, cosine) * sky;
+    bool sentOn = false;
+#ifdef NEXT_BOUNCE
+    if (s.reflectivity > frame.minReflectivity) {
+      uint next = atomicAdd(nextRayCount.count, 1u);  // at most one a ray: as many as this queue holds
+      nextRays[next] = Ray(vec4(s.position, ray.originPixel.w), vec4(reflected, uintBitsToFloat(hit.triangle)),
+                           vec4(throughput * share, pathLength));
+      sentOn = true;
+    }
+#endif
+    if (!sentOn) radiance += share * sky;
+  }
+  imageStore(reflection, pixel, vec4(sum.rgb + throughput * radiance, 1.0));
+}
