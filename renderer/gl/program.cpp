@@ -1,7 +1,7 @@
 #include "gl/program.h"
 
 #include <algorithm>
-#include <set>
+#include <cstdlib>
 #include <sstream>
 #include <utility>
 
@@ -17,8 +17,13 @@ std::string_view shaderText(std::string_view file) {
   throw Error(ErrorKind::failed, "no embedded shader file " + std::string(file));
 }
 
-void append(std::string_view file, std::set<std::string, std::less<>>& included, std::ostringstream& out) {
-  if (!included.insert(std::string(file)).second) return;
+// Appends a file and what it includes. `files` are those already in the text; a file's place among them is its source
+// string number in #line, which is how a compiler's message is brought back to the file.
+void append(std::string_view file, std::vector<std::string>& files, std::ostringstream& out) {
+  if (std::find(files.begin(), files.end(), file) != files.end()) return;
+  const std::size_t self = files.size();
+  files.emplace_back(file);
+  out << "#line 1 " << self << '\n';
   std::istringstream lines{std::string(shaderText(file))};
   const std::string include = "#include \"";
   int number = 0;
@@ -28,16 +33,34 @@ void append(std::string_view file, std::set<std::string, std::less<>>& included,
       out << '\n';
     } else if (line.rfind(include, 0) == 0) {
       const std::size_t end = line.find('"', include.size());
-      append(line.substr(include.size(), end - include.size()), included, out);
-      out << "#line " << number + 1 << "\n";
+      append(line.substr(include.size(), end - include.size()), files, out);
+      out << "#line " << number + 1 << ' ' << self << '\n';
     } else {
       out << line << '\n';
     }
   }
 }
 
+std::string assemble(std::string_view file, std::span<const Define> defines, std::vector<std::string>& files) {
+  std::ostringstream out;
+  out << "#version 450 core\n";
+  for (const Define& define : defines) out << "#define " << define.name << ' ' << define.value << '\n';
+  append(file, files, out);
+  return out.str();
+}
+
+// The first line of a compiler's message, with the included file that its source string number stands for.
+std::string explain(const std::string& log, const std::vector<std::string>& files) {
+  const std::string line = log.substr(0, log.find('\n'));
+  const std::size_t digits = line.find_first_of("0123456789");
+  if (digits == std::string::npos) return line;
+  const std::size_t file = static_cast<std::size_t>(std::atoi(line.c_str() + digits));
+  return file > 0 && file < files.size() ? "in " + files[file] + ": " + line : line;
+}
+
 GLuint compile(const Api& api, const Stage& stage, std::span<const Define> defines) {
-  const std::string source = assembleShader(stage.file, defines);
+  std::vector<std::string> files;
+  const std::string source = assemble(stage.file, defines, files);
   const GLuint shader = api.CreateShader(stage.type);
   const char* text = source.c_str();
   api.ShaderSource(shader, 1, &text, nullptr);
@@ -50,20 +73,14 @@ GLuint compile(const Api& api, const Stage& stage, std::span<const Define> defin
   api.GetShaderInfoLog(shader, static_cast<GLsizei>(log.size()), &length, log.data());
   api.DeleteShader(shader);
   log.resize(static_cast<std::size_t>(length));
-  throw Error(ErrorKind::failed,
-              "shader " + std::string(stage.file) + " does not compile: " + log.substr(0, log.find('\n')));
+  throw Error(ErrorKind::failed, "shader " + std::string(stage.file) + " does not compile: " + explain(log, files));
 }
 
 }  // namespace
 
 std::string assembleShader(std::string_view file, std::span<const Define> defines) {
-  std::ostringstream out;
-  out << "#version 450 core\n";
-  for (const Define& define : defines) out << "#define " << define.name << ' ' << define.value << '\n';
-  std::set<std::string, std::less<>> included;
-  out << "#line 1\n";
-  append(file, included, out);
-  return out.str();
+  std::vector<std::string> files;
+  return assemble(file, defines, files);
 }
 
 Program::Program(const Api& api, std::span<const Stage> stages, std::span<const Define> defines) : api_(&api) {

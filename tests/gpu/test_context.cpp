@@ -120,8 +120,9 @@ TEST(Context, EglAndOsmesaTakeTurns) {
   osmesa.release();
 
   expectPicture(eglPicture);
-  if (eglApi.version == osmesaApi.version && eglApi.renderer == osmesaApi.renderer)
+  if (eglApi.version == osmesaApi.version && eglApi.renderer == osmesaApi.renderer) {
     EXPECT_EQ(eglPicture, osmesaPicture) << "the same Mesa draws the same picture";
+  }
 
   egl.makeCurrent();
   EXPECT_EQ(draw(egl), eglPicture);
