@@ -14,15 +14,17 @@ using nlohmann::json;
 constexpr int kDeepest = 128;
 
 // Whole numbers wherever the core format has them.
-constexpr std::array kIndexKeys = {
-    "buffer",   "bufferView", "componentType", "indices",             "inverseBindMatrices",
-    "input",    "material",   "mesh",          "mode",                "node",
-    "output",   "camera",     "index",         "texCoord",            "sampler",
-    "skeleton", "skin",       "source",        "scene",               "magFilter",
-    "minFilter", "wrapS",     "wrapT"};
+constexpr std::array kIndexKeys = {"buffer",    "bufferView", "componentType", "indices",  "inverseBindMatrices",
+                                   "input",     "material",   "mesh",          "mode",     "node",
+                                   "output",    "camera",     "index",         "texCoord", "sampler",
+                                   "skeleton",  "skin",       "source",        "scene",    "magFilter",
+                                   "minFilter", "wrapS",      "wrapT"};
 constexpr std::array kSizeKeys = {"byteLength", "byteOffset", "byteStride", "count"};
 constexpr std::array kIndexLists = {"children", "joints", "attributes", "targets"};
-constexpr std::array kLists = {"accessors", "animations", "bufferViews", "buffers", "cameras", "images", "materials",
+constexpr std::array kExtensions = {
+    "KHR_lights_punctual", "KHR_texture_transform",  "KHR_materials_unlit",  "KHR_materials_emissive_strength",
+    "KHR_materials_ior",   "KHR_materials_specular", "KHR_mesh_quantization"};
+constexpr std::array kLists = {"accessors", "animations", "bufferViews", "buffers", "cameras", "images",  "materials",
                                "meshes",    "nodes",      "samplers",    "scenes",  "skins",   "textures"};
 
 template <class Keys>
@@ -88,6 +90,19 @@ const json& listOf(const json& object, const char* key) {
   return found == object.end() ? kEmpty : *found;
 }
 
+void checkExtensions(const json& root, Diagnostics& diagnostics) {
+  for (const char* list : {"extensionsRequired", "extensionsUsed"}) {
+    if (!listOf(root, list).is_array()) diagnostics.fail("is not a list", list);
+    for (const json& element : listOf(root, list)) {
+      const std::string name = element.is_string() ? element.get<std::string>().substr(0, 100) : element.dump();
+      if (contains(kExtensions, name)) continue;
+      if (std::strcmp(list, "extensionsRequired") == 0)
+        diagnostics.fail("needs the extension " + name + ", which is not supported", list);
+      diagnostics.warn("the extension " + name + " is left out");
+    }
+  }
+}
+
 // The parser leaves these out without a word, which would shift what follows them.
 void checkParts(const json& root, const Diagnostics& diagnostics) {
   const json& meshes = listOf(root, "meshes");
@@ -112,8 +127,7 @@ void checkAnimations(const json& root, Diagnostics& diagnostics) {
       const json& elements = listOf(animations[a], list);
       if (!elements.is_array()) diagnostics.fail(std::string(list) + " is not a list", item("animations", a));
       for (std::size_t i = 0; i < elements.size(); ++i)
-        if (!elements[i].is_object())
-          diagnostics.fail("is not an object", item("animations", a) + "." + item(list, i));
+        if (!elements[i].is_object()) diagnostics.fail("is not an object", item("animations", a) + "." + item(list, i));
     }
     for (const json& channel : listOf(animations[a], "channels")) {
       const auto target = channel.find("target");
@@ -144,16 +158,16 @@ void checkJson(std::string_view text, bool binary, Diagnostics& diagnostics) {
     diagnostics.fail("is not valid JSON", error.what());
   }
   const auto asset = root.is_object() ? root.find("asset") : root.end();
-  if (asset == root.end() || !asset->is_object() || !asset->contains("version") ||
-      !asset->at("version").is_string())
+  if (asset == root.end() || !asset->is_object() || !asset->contains("version") || !asset->at("version").is_string())
     diagnostics.fail("is not a glTF file", "it has no asset.version");
   for (const char* key : {"version", "minVersion"}) {
     const auto version = asset->find(key);
     if (version == asset->end() || !version->is_string()) continue;
-    const std::string text2 = version->get<std::string>();
-    const bool readable = std::strcmp(key, "version") == 0 ? text2.starts_with("2.") : text2 == "2.0";
-    if (!readable) diagnostics.fail("needs glTF " + text2 + ", this reads 2.0", std::string("asset.") + key);
+    const std::string needed = version->get<std::string>().substr(0, 20);
+    const bool readable = std::strcmp(key, "version") == 0 ? needed.starts_with("2.") : needed == "2.0";
+    if (!readable) diagnostics.fail("needs glTF " + needed + ", this reads 2.0", std::string("asset.") + key);
   }
+  checkExtensions(root, diagnostics);
   for (const char* key : kLists) {
     const json& list = listOf(root, key);
     if (!list.is_array()) diagnostics.fail("is not a list", key);

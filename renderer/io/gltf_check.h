@@ -6,8 +6,8 @@
 
 namespace halfsilver::gltf {
 
-// Checks the JSON of a glTF file before the parser sees it, which trusts it: nesting, the version, lists that hold
-// objects, indices and sizes that are whole numbers in range. Throws through `diagnostics`.
+// Checks the JSON of a glTF file before the parser sees it, which trusts it: nesting, the version, extensions,
+// lists that hold objects, indices and sizes that are whole numbers in range. Throws through `diagnostics`.
 void checkJson(std::string_view text, bool binary, Diagnostics& diagnostics);
 
 // The JSON chunk of a .glb whose header and chunks fit the file.

@@ -14,7 +14,9 @@ void Diagnostics::fail(const std::string& what, const std::string& where) const 
 }
 
 void Diagnostics::warn(const std::string& text) {
-  if (std::find(warnings.begin(), warnings.end(), text) == warnings.end()) warnings.push_back(text);
+  constexpr std::size_t kMost = 100;
+  if (warnings.size() > kMost || std::find(warnings.begin(), warnings.end(), text) != warnings.end()) return;
+  warnings.push_back(warnings.size() < kMost ? text : "further warnings were left out");
 }
 
 void Diagnostics::spend(std::uint64_t elements, const std::string& where) {

@@ -116,7 +116,6 @@ struct LightInfo {
 
 struct Document {
   std::string sceneName;
-  std::vector<std::string> extensionsUsed, extensionsRequired;
   std::vector<std::vector<std::uint8_t>> buffers;
   std::vector<BufferView> views;
   std::vector<Accessor> accessors;
@@ -138,11 +137,11 @@ struct Diagnostics {
   std::string file;
   std::vector<std::string> warnings;
   // Elements that accessors may still unfold to; small files can name the same bytes any number of times.
-  std::uint64_t budget = std::uint64_t{1} << 30;
+  std::uint64_t budget = std::uint64_t{1} << 28;
 
   // Throws Error (badInput): "file: what: where".
   [[noreturn]] void fail(const std::string& what, const std::string& where) const;
-  void warn(const std::string& text);  // said once
+  void warn(const std::string& text);  // said once, and not without end
   void spend(std::uint64_t elements, const std::string& where);
 };
 
@@ -154,9 +153,9 @@ template <class T>
 const T& get(const std::vector<T>& list, int index, const char* name, const Diagnostics& diagnostics,
              const std::string& where) {
   if (index < 0 || static_cast<std::size_t>(index) >= list.size())
-    diagnostics.fail("names " + std::string(name) + "[" + std::to_string(index) + "], there are " +
-                         std::to_string(list.size()),
-                     where);
+    diagnostics.fail(
+        "names " + std::string(name) + "[" + std::to_string(index) + "], there are " + std::to_string(list.size()),
+        where);
   return list[static_cast<std::size_t>(index)];
 }
 

@@ -38,7 +38,7 @@ struct Instance {
   std::vector<MorphTarget> targets;
   std::vector<glm::uvec4> joints;  // empty or one a vertex
   std::vector<glm::vec4> weights;  // sum 1
-  bool flatNormals = false;  // vertices 3k .. 3k + 2 are one triangle, whose normal follows its deformed corners
+  bool flatNormals = false;        // vertices 3k .. 3k + 2 are one triangle, whose normal follows its deformed corners
 };
 
 struct Skin {
@@ -86,8 +86,8 @@ struct Part {
 };
 
 struct Model {
-  Scene scene;  // at rest
-  Rig rig;      // instances are empty where nothing can move
+  Scene scene;              // at rest
+  Rig rig;                  // instances are empty where nothing can move
   std::vector<Part> parts;  // in the order of the triangles
   DropCounts dropped;
   std::vector<std::string> warnings;  // one line each

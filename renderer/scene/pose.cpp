@@ -124,8 +124,7 @@ struct Placer {
   }
 
   glm::dvec3 position(std::size_t vertex, const glm::dmat4& toWorld) const {
-    return toWorld *
-           glm::dvec4(morphed(instance.rest[vertex].position, vertex, &Instance::MorphTarget::positions), 1);
+    return toWorld * glm::dvec4(morphed(instance.rest[vertex].position, vertex, &Instance::MorphTarget::positions), 1);
   }
 };
 
@@ -212,13 +211,12 @@ void place(const Rig& rig, const Instance& instance, const PoseState& state, con
       const glm::dvec3 local = placer.morphed(rest.normal, i, &Instance::MorphTarget::normals);
       normal = unit(normalMatrix(linear, sign) * local, {0, 1, 0});
     }
-    const glm::dvec3 along =
-        linear * placer.morphed(glm::dvec3(rest.tangent), i, &Instance::MorphTarget::tangents);
+    const glm::dvec3 along = linear * placer.morphed(glm::dvec3(rest.tangent), i, &Instance::MorphTarget::tangents);
     const glm::dvec3 tangent = unit(along, glm::dvec3(0));
     vertex.normal = glm::vec3(normal);
-    vertex.tangent = glm::vec4(glm::vec3(unit(tangent - normal * glm::dot(normal, tangent),
-                                              glm::dvec3(anyPerpendicular(vertex.normal)))),
-                               static_cast<float>(sign) * rest.tangent.w);
+    vertex.tangent = glm::vec4(
+        glm::vec3(unit(tangent - normal * glm::dot(normal, tangent), glm::dvec3(anyPerpendicular(vertex.normal)))),
+        static_cast<float>(sign) * rest.tangent.w);
   }
 }
 

@@ -51,12 +51,12 @@ glm::vec3 anyPerpendicular(const glm::vec3& normal) {
   // Duff et al., "Building an Orthonormal Basis, Revisited", JCGT 6(1), 2017.
   const float sign = std::copysign(1.0f, normal.z);
   const float a = -1.0f / (sign + normal.z);
-  return glm::normalize(glm::vec3(1 + sign * normal.x * normal.x * a, sign * normal.x * normal.y * a,
-                                  -sign * normal.x));
+  return glm::normalize(
+      glm::vec3(1 + sign * normal.x * normal.x * a, sign * normal.x * normal.y * a, -sign * normal.x));
 }
 
-std::vector<std::uint32_t> makeTangents(std::vector<Vertex>& vertices, std::span<Corners> triangles,
-                                        std::size_t uvSet, const std::array<glm::vec3, 2>& transform) {
+std::vector<std::uint32_t> makeTangents(std::vector<Vertex>& vertices, std::span<Corners> triangles, std::size_t uvSet,
+                                        const std::array<glm::vec3, 2>& transform) {
   const auto uvOf = [&](const Vertex& v) {
     const glm::dvec3 uv(v.uv[uvSet], 1);
     return glm::dvec2(glm::dot(glm::dvec3(transform[0]), uv), glm::dot(glm::dvec3(transform[1]), uv));
@@ -102,8 +102,7 @@ std::vector<std::uint32_t> makeTangents(std::vector<Vertex>& vertices, std::span
     Vertex& vertex = vertices[i];
     const float sign = orientation[i] == 0 ? 1.0f : orientation[i];
     const auto found = sums.find(keyOf(vertex, sign));
-    const glm::dvec3 tangent =
-        found == sums.end() ? glm::dvec3(0) : onPlane(found->second, glm::dvec3(vertex.normal));
+    const glm::dvec3 tangent = found == sums.end() ? glm::dvec3(0) : onPlane(found->second, glm::dvec3(vertex.normal));
     vertex.tangent = glm::vec4(tangent == glm::dvec3(0) ? anyPerpendicular(vertex.normal) : glm::vec3(tangent), sign);
   }
   return copied;

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "io/gltf_nodes.h"
+
+namespace halfsilver::gltf {
+
+// Fills the rig's skins, in the file's order.
+void buildSkins(const Document& document, Diagnostics& diagnostics, const Hierarchy& hierarchy, Rig& rig);
+
+// Fills the rig's animations, in the file's order; what cannot be played is left out with a warning.
+void buildAnimations(const Document& document, Diagnostics& diagnostics, const Hierarchy& hierarchy, Rig& rig);
+
+// For each node whether some animation moves it, by itself or by an ancestor.
+std::vector<std::uint8_t> movingNodes(const Rig& rig);
+
+// True where an animation moves the instance: its node, its joints or its morph weights.
+bool canMove(const Rig& rig, const std::vector<std::uint8_t>& moving, const Instance& instance);
+
+}  // namespace halfsilver::gltf

@@ -1,0 +1,255 @@
+#include "io/gltf_build.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <sstream>
+
+#include "io/gltf_animations.h"
+#include "io/gltf_materials.h"
+#include "io/gltf_meshes.h"
+#include "io/gltf_nodes.h"
+#include "scene/pose.h"
+
+namespace halfsilver::gltf {
+namespace {
+
+// Squared areas and squared diagonals of larger scenes leave the range of floats.
+constexpr double kLargestExtent = 1e9;
+constexpr double kLargestCoordinate = 1e30;
+constexpr std::size_t kMostVertices = std::size_t{1} << 25;
+constexpr std::size_t kMostTriangles = std::size_t{1} << 25;
+
+// Bounds in double precision.
+struct WorldBounds {
+  glm::dvec3 low{std::numeric_limits<double>::max()};
+  glm::dvec3 high{std::numeric_limits<double>::lowest()};
+  void add(const glm::dvec3& p) {
+    low = glm::min(low, p);
+    high = glm::max(high, p);
+  }
+};
+
+// Where coordinates count from: zero, or for a scene that is far from zero for its size a round point near its centre,
+// the nearest multiple of a power of two, so that subtracting it is exact.
+glm::dvec3 chooseOrigin(const WorldBounds& bounds) {
+  constexpr double kFar = 8;  // sizes
+  const double size = glm::length(bounds.high - bounds.low);
+  const glm::dvec3 center = 0.5 * bounds.low + 0.5 * bounds.high;
+  if (!(glm::length(center) > kFar * size) || size == 0) return glm::dvec3(0);
+  const double step = std::exp2(std::ceil(std::log2(size)));
+  return glm::round(center / step) * step;
+}
+
+Light sun() {
+  Light light;
+  light.direction = glm::normalize(glm::vec3(-0.45f, -1.0f, -0.35f));
+  light.color = glm::vec3(1.0f, 0.96f, 0.9f);
+  light.intensity = 4;
+  return light;
+}
+
+class Builder {
+ public:
+  Builder(const Document& document, Diagnostics& diagnostics)
+      : document_(document), diagnostics_(diagnostics), hierarchy_(buildHierarchy(document, diagnostics)) {}
+
+  Model run() {
+    model_.scene.name = document_.sceneName;
+    buildMaterials(document_, diagnostics_, model_.scene);
+    model_.rig.nodes = hierarchy_.nodes;
+    buildSkins(document_, diagnostics_, hierarchy_, model_.rig);
+    buildAnimations(document_, diagnostics_, hierarchy_, model_.rig);
+    readMeshes();
+    rest_ = evaluate(model_.rig, 0, -1);
+    moving_ = movingNodes(model_.rig);
+    measure();
+    flatten();
+    addViews();
+    model_.warnings = std::move(diagnostics_.warnings);
+    return std::move(model_);
+  }
+
+ private:
+  // Only meshes that the scene shows are read; several nodes share one reading.
+  void readMeshes() {
+    std::optional<std::uint32_t> defaultMaterial;
+    meshes_.resize(document_.meshes.size());
+    for (std::size_t n = 0; n < hierarchy_.inScene; ++n) {
+      const int mesh = meshOf(n);
+      if (mesh < 0 || !meshes_[static_cast<std::size_t>(mesh)].empty()) continue;
+      const auto& primitives = document_.meshes[static_cast<std::size_t>(mesh)].primitives;
+      for (std::size_t p = 0; p < primitives.size(); ++p)
+        meshes_[static_cast<std::size_t>(mesh)].push_back(
+            readPrimitive(document_, diagnostics_, mesh, static_cast<int>(p), model_.scene.materials, defaultMaterial));
+    }
+  }
+
+  int meshOf(std::size_t node) const { return fileNode(node).mesh; }
+  const Node& fileNode(std::size_t node) const {
+    return document_.nodes[static_cast<std::size_t>(hierarchy_.fileNode[node])];
+  }
+
+  // Calls with each primitive of the scene, its shape set for the node that places it.
+  void forEachPlaced(const std::function<void(Geometry&)>& visit) {
+    for (std::size_t n = 0; n < hierarchy_.inScene; ++n) {
+      if (meshOf(n) < 0) continue;
+      for (Geometry& geometry : meshes_[static_cast<std::size_t>(meshOf(n))]) {
+        if (geometry.triangles.empty()) continue;
+        geometry.shape.node = static_cast<int>(n);
+        geometry.shape.skin = skinOf(n, geometry);
+        visit(geometry);
+      }
+    }
+  }
+
+  int skinOf(std::size_t node, const Geometry& geometry) {
+    const int skin = fileNode(node).skin;
+    if (skin == -1) return -1;
+    const std::string where = item("nodes", static_cast<std::size_t>(hierarchy_.fileNode[node]));
+    const Skin& source = get(document_.skins, skin, "skins", diagnostics_, where);
+    if (geometry.shape.joints.empty()) {
+      diagnostics_.warn("a mesh without joints and weights is not skinned: " + where);
+      return -1;
+    }
+    if (geometry.largestJoint >= source.joints.size())
+      diagnostics_.fail("has the joint " + std::to_string(geometry.largestJoint) + " for " +
+                            std::to_string(source.joints.size()) + " joints",
+                        where);
+    return skin;
+  }
+
+  // Bounds of what the triangles use, and with them the origin. Also refuses what would not fit before it is made.
+  void measure() {
+    WorldBounds bounds;
+    std::size_t vertices = 0, triangles = 0;
+    forEachPlaced([&](const Geometry& geometry) {
+      vertices += geometry.shape.rest.size();
+      triangles += geometry.triangles.size();
+      if (vertices > kMostVertices || triangles > kMostTriangles)
+        diagnostics_.fail("has more than " + std::to_string(kMostTriangles) + " triangles or vertices",
+                          "its nodes' meshes together");
+      const auto positions = worldPositions(model_.rig, geometry.shape, rest_);
+      for (const auto& triangle : geometry.triangles)
+        for (const std::uint32_t index : triangle) {
+          if (!geometry.finite[index]) continue;
+          const glm::dvec3& p = positions[index];
+          if (!(glm::abs(p.x) <= kLargestCoordinate && glm::abs(p.y) <= kLargestCoordinate &&
+                glm::abs(p.z) <= kLargestCoordinate))
+            diagnostics_.fail("has coordinates beyond 1e30", nodeOf(geometry));
+          bounds.add(p);
+        }
+    });
+    if (triangles == 0) diagnostics_.fail("has no triangles", document_.nodes.empty() ? "it has no nodes" : "scene");
+    const glm::dvec3 extent = bounds.high - bounds.low;
+    if (const double largest = std::max({extent.x, extent.y, extent.z}); largest > kLargestExtent) {
+      std::ostringstream text;
+      text << "is " << largest << " m across, at most " << kLargestExtent << " m can be drawn";
+      diagnostics_.fail(text.str(), "scene");
+    }
+    if (bounds.low.x <= bounds.high.x) model_.scene.origin = chooseOrigin(bounds);
+  }
+
+  std::string nodeOf(const Geometry& geometry) const {
+    return item("nodes", static_cast<std::size_t>(hierarchy_.fileNode[static_cast<std::size_t>(geometry.shape.node)]));
+  }
+
+  void flatten() {
+    Scene& scene = model_.scene;
+    forEachPlaced([&](Geometry& geometry) {
+      Instance& shape = geometry.shape;
+      shape.firstVertex = static_cast<std::uint32_t>(scene.vertices.size());
+      shape.vertexCount = static_cast<std::uint32_t>(shape.rest.size());
+      scene.vertices.resize(scene.vertices.size() + shape.rest.size());
+      place(model_.rig, shape, rest_, scene.origin, std::span(scene.vertices).subspan(shape.firstVertex));
+      shape.firstTriangle = static_cast<std::uint32_t>(scene.triangles.size());
+      const bool turned = mirrored(shape, rest_);
+      for (const auto& source : geometry.triangles) {
+        Triangle triangle;
+        triangle.material = geometry.material;
+        for (std::size_t k = 0; k < 3; ++k) triangle.vertices[k] = shape.firstVertex + source[k];
+        if (turned) std::swap(triangle.vertices[1], triangle.vertices[2]);
+        keep(triangle, geometry.finite[source[0]] && geometry.finite[source[1]] && geometry.finite[source[2]]);
+      }
+      shape.triangleCount = static_cast<std::uint32_t>(scene.triangles.size()) - shape.firstTriangle;
+      addPart(geometry);
+      if (canMove(model_.rig, moving_, shape)) model_.rig.instances.push_back(shape);
+    });
+    if (scene.triangles.empty())
+      diagnostics_.fail("has no triangles left", std::to_string(model_.dropped.degenerate) + " are degenerate, " +
+                                                     std::to_string(model_.dropped.nonFinite) + " are not finite");
+    // Unused vertices of hidden corners must not carry what a buffer's reader would choke on.
+    for (Vertex& vertex : scene.vertices)
+      if (glm::any(glm::isnan(vertex.position)) || glm::any(glm::isinf(vertex.position)))
+        vertex.position = glm::vec3(0);
+  }
+
+  void keep(const Triangle& triangle, bool finite) {
+    if (!finite) {
+      ++model_.dropped.nonFinite;
+      return;
+    }
+    const auto corner = [&](std::size_t k) { return model_.scene.vertices[triangle.vertices[k]].position; };
+    const glm::vec3 a = corner(0);
+    const glm::vec3 normal = glm::cross(corner(1) - a, corner(2) - a);
+    // Below this a float cannot hold the squared area, and the triangle has no normal.
+    if (glm::dot(normal, normal) < std::numeric_limits<float>::min())
+      ++model_.dropped.degenerate;
+    else
+      model_.scene.triangles.push_back(triangle);
+  }
+
+  void addPart(const Geometry& geometry) {
+    const Instance& shape = geometry.shape;
+    const std::string& mesh = document_.meshes[static_cast<std::size_t>(shape.mesh)].name;
+    Part part;
+    part.node = nodeName(document_, hierarchy_.fileNode[static_cast<std::size_t>(shape.node)]);
+    part.mesh = mesh.empty() ? "mesh " + std::to_string(shape.mesh) : mesh;
+    part.primitive = shape.primitive;
+    part.firstTriangle = shape.firstTriangle;
+    part.triangleCount = shape.triangleCount;
+    part.material = geometry.material;
+    model_.parts.push_back(std::move(part));
+  }
+
+  void addViews() {
+    Scene& scene = model_.scene;
+    buildLights(document_, diagnostics_, hierarchy_, model_);
+    buildCameras(document_, diagnostics_, hierarchy_, model_);
+    const Bounds bounds = scene.bounds();
+    for (std::size_t i = 0; i < scene.lights.size(); ++i)
+      follow(scene.lights[i], worldOf(model_.rig.lightNodes[i]), scene.origin);
+    for (std::size_t i = 0; i < scene.cameras.size(); ++i) {
+      scene.cameras[i].eye = glm::vec3(0);
+      scene.cameras[i].target = glm::vec3(0, 0, -0.5f * bounds.diagonal());
+      follow(scene.cameras[i], worldOf(model_.rig.cameraNodes[i]), scene.origin);
+    }
+    if (scene.lights.empty()) {
+      scene.lights.push_back(sun());
+      model_.rig.lightNodes.push_back(-1);
+      diagnostics_.warn("the scene has no lights: a sun and the default sky light it");
+    }
+    if (scene.cameras.empty()) {
+      scene.cameras.push_back(frameAll(bounds));
+      model_.rig.cameraNodes.push_back(-1);
+      diagnostics_.warn("the scene has no camera: the view shows the whole of it");
+    }
+  }
+
+  const glm::dmat4& worldOf(int node) const { return rest_.world[static_cast<std::size_t>(node)]; }
+
+  const Document& document_;
+  Diagnostics& diagnostics_;
+  const Hierarchy hierarchy_;
+  Model model_;
+  PoseState rest_;
+  std::vector<std::uint8_t> moving_;
+  std::vector<std::vector<Geometry>> meshes_;  // for each mesh of the file, its primitives
+};
+
+}  // namespace
+
+Model build(const Document& document, Diagnostics& diagnostics) { return Builder(document, diagnostics).run(); }
+
+}  // namespace halfsilver::gltf

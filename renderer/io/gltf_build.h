@@ -1,0 +1,11 @@
+#pragma once
+
+#include "io/gltf_document.h"
+#include "scene/model.h"
+
+namespace halfsilver::gltf {
+
+// Flattens the document's scene at rest. The model takes the warnings of `diagnostics` with it.
+Model build(const Document& document, Diagnostics& diagnostics);
+
+}  // namespace halfsilver::gltf

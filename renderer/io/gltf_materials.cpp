@@ -1,0 +1,201 @@
+#include "io/gltf_materials.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <utility>
+
+#include "io/gltf_accessors.h"
+
+namespace halfsilver::gltf {
+namespace {
+
+constexpr unsigned kLargestSide = 16384;
+constexpr std::uint64_t kMostTexels = std::uint64_t{1} << 30;  // of all textures together
+
+std::uint32_t bigEndian(std::span<const std::uint8_t> bytes, std::size_t offset, std::size_t width) {
+  std::uint32_t value = 0;
+  for (std::size_t i = 0; i < width; ++i) value = value << 8 | bytes[offset + i];
+  return value;
+}
+
+// Walks the segments up to the frame header (ITU T.81, B.2.2).
+glm::uvec2 jpegSize(std::span<const std::uint8_t> bytes) {
+  for (std::size_t at = 2; at + 9 <= bytes.size();) {
+    if (bytes[at] != 0xff) {
+      ++at;
+      continue;
+    }
+    const std::uint8_t marker = bytes[at + 1];
+    if (marker == 0xff || marker == 0 || marker == 1 || (marker >= 0xd0 && marker <= 0xd8)) {
+      at += marker == 0xff ? 1 : 2;
+      continue;
+    }
+    const bool frame = marker >= 0xc0 && marker <= 0xcf && marker != 0xc4 && marker != 0xc8 && marker != 0xcc;
+    if (frame) return {bigEndian(bytes, at + 7, 2), bigEndian(bytes, at + 5, 2)};
+    at += 2 + bigEndian(bytes, at + 2, 2);
+  }
+  return glm::uvec2(0);
+}
+
+class Builder {
+ public:
+  Builder(const Document& document, Diagnostics& diagnostics, Scene& scene)
+      : document_(document), diagnostics_(diagnostics), scene_(scene) {}
+
+  void run() {
+    for (std::size_t m = 0; m < document_.materials.size(); ++m)
+      scene_.materials.push_back(material(document_.materials[m], item("materials", m)));
+    if (blended_)
+      diagnostics_.warn(std::to_string(blended_) + " material(s) with alphaMode BLEND (\"" + firstBlended_ +
+                        "\") are drawn without blending: cut where the alpha of texture times vertex colour is below "
+                        "a half");
+  }
+
+ private:
+  float clamped(float value, float low, float high, const char* what, const std::string& where) {
+    if (value >= low && value <= high) return value;
+    diagnostics_.warn(std::string(what) + " is out of range and was clamped: " + where);
+    return std::isnan(value) ? low : std::clamp(value, low, high);
+  }
+
+  Material material(const MaterialInfo& info, const std::string& where) {
+    constexpr float kMost = 1e9f;
+    Material result = info.material;
+    for (int c = 0; c < 4; ++c) result.baseColor[c] = clamped(result.baseColor[c], 0, 1, "baseColorFactor", where);
+    for (int c = 0; c < 3; ++c) {
+      result.emissive[c] = clamped(result.emissive[c], 0, kMost, "emissive", where);
+      result.specularColor[c] = clamped(result.specularColor[c], 0, kMost, "specularColorFactor", where);
+    }
+    result.metallic = clamped(result.metallic, 0, 1, "metallicFactor", where);
+    result.roughness = clamped(result.roughness, 0, 1, "roughnessFactor", where);
+    result.normalScale = clamped(result.normalScale, -kMost, kMost, "normalTexture.scale", where);
+    result.occlusionStrength = clamped(result.occlusionStrength, 0, 1, "occlusionTexture.strength", where);
+    result.specular = clamped(result.specular, 0, 1, "specularFactor", where);
+    result.alphaCutoff = clamped(result.alphaCutoff, 0, kMost, "alphaCutoff", where);
+    // KHR_materials_ior: 0 stands for an infinite index, whose reflectance is 1 from everywhere.
+    result.ior = result.ior == 0 ? kMost : clamped(result.ior, 1, kMost, "ior", where);
+    if (info.alphaMode == "MASK")
+      result.alphaMode = AlphaMode::mask;
+    else if (info.alphaMode == "BLEND")
+      result.alphaMode = AlphaMode::blend;
+    else if (info.alphaMode != "OPAQUE")
+      diagnostics_.warn("an unknown alphaMode is taken as OPAQUE: " + where);
+    if (result.alphaMode == AlphaMode::blend && blended_++ == 0)
+      firstBlended_ = result.name.empty() ? where : result.name;
+
+    result.baseColorTexture = use(info.baseColor, true, where + ".baseColorTexture");
+    result.metallicRoughnessTexture = use(info.metallicRoughness, false, where + ".metallicRoughnessTexture");
+    result.normalTexture = use(info.normal, false, where + ".normalTexture");
+    result.occlusionTexture = use(info.occlusion, false, where + ".occlusionTexture");
+    result.emissiveTexture = use(info.emissive, true, where + ".emissiveTexture");
+    result.specularTexture = use(info.specular, false, where + ".specularTexture");
+    result.specularColorTexture = use(info.specularColor, true, where + ".specularColorTexture");
+    return result;
+  }
+
+  TextureUse use(const TextureInfo& info, bool srgb, const std::string& where) {
+    TextureUse result;
+    if (info.texture == -1) return result;
+    const TextureSource& source = get(document_.textures, info.texture, "textures", diagnostics_, where);
+    const std::string place = item("textures", static_cast<std::size_t>(info.texture));
+    if (source.image < 0) {
+      diagnostics_.warn("a texture without an image that can be read was left out: " + place);
+      return result;
+    }
+    result.texture = texture(source.image, srgb, place);
+    if (source.sampler >= 0)
+      sample(get(document_.samplers, source.sampler, "samplers", diagnostics_, place), result, place);
+    if (info.texCoord > 1) diagnostics_.warn("only TEXCOORD_0 and TEXCOORD_1 are read, the first stands in: " + where);
+    result.uvSet = info.texCoord == 1 ? 1 : 0;
+    // The angle turns from u to -v: v points down, and the extension counts counter-clockwise as seen.
+    const double c = std::cos(info.rotation), s = std::sin(info.rotation);
+    result.transform = {glm::vec3(glm::dvec3(c * info.scale.x, s * info.scale.y, info.offset.x)),
+                        glm::vec3(glm::dvec3(-s * info.scale.x, c * info.scale.y, info.offset.y))};
+    for (const glm::vec3& row : result.transform)
+      if (glm::any(glm::isnan(row)) || glm::any(glm::isinf(row)))
+        diagnostics_.fail("has a texture transform that is not finite", where);
+    return result;
+  }
+
+  void sample(const Sampler& sampler, TextureUse& use, const std::string& where) {
+    const auto wrap = [&](int mode) {
+      if (mode == 33071) return Wrap::clamp;
+      if (mode == 33648) return Wrap::mirror;
+      if (mode != 10497) diagnostics_.warn("an unknown wrap mode is taken as repeat: " + where);
+      return Wrap::repeat;
+    };
+    use.wrapU = wrap(sampler.wrapS);
+    use.wrapV = wrap(sampler.wrapT);
+    use.magnify = sampler.magFilter == 9728 ? Filter::nearest : Filter::linear;
+    const int minify = sampler.minFilter;
+    use.minify = minify == 9728 || minify == 9984 || minify == 9986 ? Filter::nearest : Filter::linear;
+    use.mipmaps = minify != 9728 && minify != 9729;
+  }
+
+  int texture(int image, bool srgb, const std::string& where) {
+    const auto [known, added] = textures_.try_emplace({image, srgb}, static_cast<int>(scene_.textures.size()));
+    if (!added) return known->second;
+    auto result = std::make_shared<Texture>();
+    const auto twin = textures_.find({image, !srgb});
+    if (twin != textures_.end()) {
+      const Texture& other = *scene_.textures[static_cast<std::size_t>(twin->second)];
+      reserve(glm::uvec2(other.width, other.height), where);
+      *result = other;
+    } else {
+      decode(image, *result, where);
+    }
+    result->srgb = srgb;
+    scene_.textures.push_back(std::move(result));
+    return known->second;
+  }
+
+  void decode(int image, Texture& texture, const std::string& where) {
+    const ImageSource& source = get(document_.images, image, "images", diagnostics_, where);
+    std::string place = item("images", static_cast<std::size_t>(image));
+    if (!source.name.empty()) place += " \"" + source.name.substr(0, 100) + "\"";
+    std::span<const std::uint8_t> bytes(source.bytes);
+    if (source.view >= 0) bytes = viewBytes(document_, diagnostics_, source.view, place);
+    if (bytes.empty()) diagnostics_.fail("an image cannot be read", place);
+    const glm::uvec2 size = imageSize(bytes);
+    if (size == glm::uvec2(0)) diagnostics_.fail("an image is neither PNG nor JPEG", place);
+    if (std::max(size.x, size.y) > kLargestSide)
+      diagnostics_.fail("an image is " + std::to_string(size.x) + " x " + std::to_string(size.y) + ", at most " +
+                            std::to_string(kLargestSide) + " a side is read",
+                        place);
+    reserve(size, place);
+    texture.name = source.name;
+    if (!decodeImage(bytes, texture)) diagnostics_.fail("an image does not decode", place);
+  }
+
+  // Before anything is decoded: a few bytes can unfold to gigabytes.
+  void reserve(const glm::uvec2& size, const std::string& where) {
+    texels_ += std::uint64_t{size.x} * size.y;
+    if (texels_ > kMostTexels) diagnostics_.fail("the images together are larger than is allowed", where);
+  }
+
+  const Document& document_;
+  Diagnostics& diagnostics_;
+  Scene& scene_;
+  std::map<std::pair<int, bool>, int> textures_;  // image and encoding -> texture of the scene
+  std::uint64_t texels_ = 0;
+  int blended_ = 0;
+  std::string firstBlended_;
+};
+
+}  // namespace
+
+glm::uvec2 imageSize(std::span<const std::uint8_t> bytes) {
+  constexpr std::uint8_t kPng[] = {0x89, 'P', 'N', 'G', 0x0d, 0x0a, 0x1a, 0x0a};
+  if (bytes.size() >= 24 && std::equal(std::begin(kPng), std::end(kPng), bytes.begin()))
+    return {bigEndian(bytes, 16, 4), bigEndian(bytes, 20, 4)};
+  if (bytes.size() >= 4 && bytes[0] == 0xff && bytes[1] == 0xd8) return jpegSize(bytes);
+  return glm::uvec2(0);
+}
+
+void buildMaterials(const Document& document, Diagnostics& diagnostics, Scene& scene) {
+  Builder(document, diagnostics, scene).run();
+}
+
+}  // namespace halfsilver::gltf

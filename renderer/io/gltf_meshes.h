@@ -1,0 +1,23 @@
+#pragma once
+
+#include <array>
+
+#include "io/gltf_document.h"
+
+namespace halfsilver::gltf {
+
+// One primitive in its mesh's space, ready to be placed by nodes.
+struct Geometry {
+  Instance shape;  // rest, targets, joints, weights, mesh, primitive; the placing node fills the rest
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::vector<std::uint8_t> finite;  // 0 where a vertex's position is not; it stands at zero then
+  std::uint32_t material = 0;        // into the scene's materials
+  std::uint32_t largestJoint = 0;
+};
+
+// Reads a primitive as triangles with normals and, where its material has a normal texture, tangents. Empty where it
+// holds points or lines (a warning says so). `materials` gains the default material where a primitive names none.
+Geometry readPrimitive(const Document& document, Diagnostics& diagnostics, int mesh, int primitive,
+                       std::vector<Material>& materials, std::optional<std::uint32_t>& defaultMaterial);
+
+}  // namespace halfsilver::gltf
