@@ -1,0 +1,94 @@
+#include "scene/builtin.h"
+
+#include <array>
+#include <utility>
+
+#include "core/error.h"
+#include "scene/builtin_parts.h"
+
+namespace halfsilver {
+namespace {
+
+struct Entry {
+  std::string_view name;
+  Model (*make)();
+};
+
+constexpr std::array<Entry, 3> kScenes{{
+    {"sphere", makeSphereScene},
+    {"teapot", makeTeapotScene},
+    {"atrium", makeAtriumScene},
+}};
+
+}  // namespace
+
+std::vector<std::string> builtinNames() {
+  std::vector<std::string> names;
+  for (const Entry& entry : kScenes) names.emplace_back(entry.name);
+  return names;
+}
+
+Model makeBuiltin(std::string_view name) {
+  std::string known;
+  for (const Entry& entry : kScenes) {
+    if (entry.name == name) {
+      Model model = entry.make();
+      model.scene.name = "builtin:" + std::string(name);
+      return model;
+    }
+    known += (known.empty() ? "" : ", ") + std::string(entry.name);
+  }
+  throw Error(ErrorKind::badInput, "builtin:" + std::string(name) + ": no such scene; there are " + known);
+}
+
+std::uint32_t addMaterial(Scene& scene, Material material) {
+  scene.materials.push_back(std::move(material));
+  return static_cast<std::uint32_t>(scene.materials.size() - 1);
+}
+
+TextureUse addTexture(Scene& scene, std::shared_ptr<const Texture> texture) {
+  scene.textures.push_back(std::move(texture));
+  TextureUse use;
+  use.texture = static_cast<int>(scene.textures.size()) - 1;
+  return use;
+}
+
+Material dielectric(std::string name, glm::vec3 linearColor, float roughness) {
+  Material material;
+  material.name = std::move(name);
+  material.baseColor = glm::vec4(linearColor, 1.0f);
+  material.metallic = 0;
+  material.roughness = roughness;
+  return material;
+}
+
+Material metal(std::string name, glm::vec3 linearColor, float roughness) {
+  Material material = dielectric(std::move(name), linearColor, roughness);
+  material.metallic = 1;
+  return material;
+}
+
+Light sunlight(glm::vec3 travels, glm::vec3 color, float lux) {
+  Light sun;
+  sun.type = LightType::directional;
+  sun.direction = glm::normalize(travels);
+  sun.color = color;
+  sun.intensity = lux;
+  return sun;
+}
+
+Camera lookAt(std::string name, glm::vec3 eye, glm::vec3 target, float verticalFovDegrees) {
+  Camera camera;
+  camera.name = std::move(name);
+  camera.eye = eye;
+  camera.target = target;
+  camera.verticalFov = glm::radians(verticalFovDegrees);
+  return camera;
+}
+
+void setMesh(Scene& scene, Mesh mesh) {
+  scene.vertices = std::move(mesh.vertices);
+  scene.triangles = std::move(mesh.triangles);
+}
+
+}  // namespace halfsilver

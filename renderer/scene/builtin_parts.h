@@ -1,0 +1,33 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "scene/mesh_builder.h"
+#include "scene/model.h"
+#include "scene/procedural_textures.h"
+
+// What the built-in scenes share; private to them.
+namespace halfsilver {
+
+Model makeSphereScene();
+Model makeTeapotScene();
+Model makeAtriumScene();
+
+// Newell's teapot in its own units: standing on y = 0, 3.15 high, spout along +x. Each of the 32 patches becomes
+// steps x steps cells.
+void addTeapot(MeshBuilder& builder, double scale, glm::dvec3 base, int steps);
+
+std::uint32_t addMaterial(Scene& scene, Material material);
+TextureUse addTexture(Scene& scene, std::shared_ptr<const Texture> texture);
+
+Material dielectric(std::string name, glm::vec3 linearColor, float roughness);
+Material metal(std::string name, glm::vec3 linearColor, float roughness);
+
+Light sunlight(glm::vec3 travels, glm::vec3 color, float lux);
+Camera lookAt(std::string name, glm::vec3 eye, glm::vec3 target, float verticalFovDegrees);
+
+// Moves a finished mesh into the scene.
+void setMesh(Scene& scene, Mesh mesh);
+
+}  // namespace halfsilver
