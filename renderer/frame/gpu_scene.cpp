@@ -63,6 +63,8 @@ shared::GpuMaterial packMaterial(const Material& material, bool holes, const std
   packed.textures[TEXTURE_EMISSIVE] = packTexture(material.emissiveTexture, locations);
   packed.textures[TEXTURE_SPECULAR] = packTexture(material.specularTexture, locations);
   packed.textures[TEXTURE_SPECULAR_COLOR] = packTexture(material.specularColorTexture, locations);
+  for (int use = 0; use < 7; ++use)
+    if (packed.textures[use].location != NO_TEXTURE) packed.flags |= 1u << (MATERIAL_TEXTURES_SHIFT + use);
   return packed;
 }
 

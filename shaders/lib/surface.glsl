@@ -84,15 +84,17 @@ Surface evaluateSurface(uint triangle, vec2 barycentrics, vec3 direction, float 
   uint m = corners.w;
   uint flags = materials[m].flags;
   bool mirror = (flags & MATERIAL_MIRROR) != 0u;
-  vec4 texels[7];
-  // A loop over the uses keeps the sampling code, eight samplers each, in the program once.
-  for (int use = 0; use < 7; ++use) {
+  vec4 texels[7] = vec4[7](vec4(1.0), vec4(1.0), vec4(1.0), vec4(1.0), vec4(1.0), vec4(1.0), vec4(1.0));
+  // Only the textures that there are, in a loop that cannot be unrolled: the sampling code is large, and software
+  // rasterizers execute both sides of every branch.
+  uint pending = flags >> MATERIAL_TEXTURES_SHIFT;
+  while (pending != 0u) {
+    int use = findLSB(pending);
+    pending &= pending - 1u;
     GpuTexture binding = materials[m].textures[use];
     bool second = (binding.sampling & SAMPLING_UV_SET) != 0u;
-    texels[use] = vec4(1.0);
-    if (hasTexture(binding))
-      texels[use] = second ? sampleTexture(binding, coordinates.zw, ddx.zw, ddy.zw)
-                           : sampleTexture(binding, coordinates.xy, ddx.xy, ddy.xy);
+    texels[use] = sampleTexture(binding, second ? coordinates.zw : coordinates.xy, second ? ddx.zw : ddx.xy,
+                                second ? ddy.zw : ddy.xy);
   }
 
   s.unlit = (flags & MATERIAL_UNLIT) != 0u && !mirror;

@@ -67,16 +67,16 @@ vec4 sampleTexture(GpuTexture use, vec2 uv, vec2 ddx, vec2 ddy) {
   vec2 texel = min(exp2(nearest ? level : ceil(level)) / size, vec2(1.0));
   vec2 wrapped = vec2(wrapCoordinate(uv.x, use.sampling & 3u, 0.5 * texel.x),
                       wrapCoordinate(uv.y, (use.sampling >> 2) & 3u, 0.5 * texel.y));
+  // Gradients of a quarter of a texel name a level to the sampler; zero would be a division by zero to some.
   if (nearest) {
     // The centre of the nearest texel of one level: the linear filter then gives that texel alone.
     vec2 levelSize = max(floor(size * exp2(-level)), vec2(1.0));
     wrapped = (min(floor(wrapped * levelSize), levelSize - 1.0) + 0.5) / levelSize;
-    ddx = vec2(texel.x, 0.0);
-    ddy = vec2(0.0, texel.y);
   }
-  if (!mipmapped) {
-    ddx = vec2(0.0);
-    ddy = vec2(0.0);
+  if (nearest || !mipmapped) {
+    float extent = mipmapped ? exp2(level) : 0.25;
+    ddx = vec2(extent / size.x, 0.0);
+    ddy = vec2(0.0, extent / size.y);
   }
   return sampleBucket(use.location >> 16, vec3(wrapped, float(use.location & 0xffffu)), ddx, ddy);
 }

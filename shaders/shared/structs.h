@@ -17,6 +17,7 @@
 #define MATERIAL_BLEND 4u  // the factor's alpha is left out of the test
 #define MATERIAL_UNLIT 8u
 #define MATERIAL_MIRROR 16u  // f0 is `mirror`, roughness 0, no normal map
+#define MATERIAL_TEXTURES_SHIFT 8  // from this bit on: which of the textures there are
 
 // GpuTexture::sampling: bits 0..1 wrap u, 2..3 wrap v (0 repeat, 1 mirror, 2 clamp), 4 nearest magnification,
 // 5 nearest minification, 6 no mipmaps, 7 uv set.

@@ -1,0 +1,167 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "frame/frame_constants.h"
+#include "frame/gpu_scene.h"
+#include "gpu/context_fixture.h"
+#include "gpu/shader_function.h"
+#include "passes/gbuffer.h"
+#include "passes/select.h"
+
+namespace halfsilver {
+namespace {
+
+using testing::addQuad;
+
+struct Selection {
+  shared::RayCount count{};
+  std::vector<shared::Ray> rays;
+  std::vector<std::uint32_t> pixels;  // sorted
+  std::vector<float> position;
+  shared::FrameConstants frame{};
+};
+
+class SelectTest : public testing::ContextTest {
+ protected:
+  // Left half mirror, right half rough, a strip at the top without surface.
+  static Scene twoWalls() {
+    Scene scene;
+    scene.materials.resize(2);
+    scene.materials[0].mirror = 0.8f;
+    scene.materials[1].roughness = 1;
+    addQuad(scene, {-9, -9, -3}, {0, -9, -3}, {0, 1, -3}, {-9, 1, -3}, 0);
+    addQuad(scene, {0, -9, -3}, {9, -9, -3}, {9, 1, -3}, {0, 1, -3}, 1);
+    return scene;
+  }
+
+  Selection select(const Scene& scene, const Settings& settings, int width, int height) {
+    const GpuScene gpu = uploadScene(api, scene);
+    Camera camera;
+    camera.eye = {0, 0, 0};
+    camera.target = {0, 0, -1};
+    Selection result;
+    result.frame = makeFrameConstants(camera, gpu.bounds, scene.sky, settings, width, height, 0);
+    const gl::Buffer constants =
+        gl::makeBuffer(api, std::span<const shared::FrameConstants>(&result.frame, 1), "frame");
+    constants.bindUniform(UBO_FRAME);
+    gpu.bind();
+    gl::Profiler profiler(api);
+    GBuffer buffer;
+    GBufferPass(api).run(gpu, buffer, width, height, true, profiler);
+    SelectPass pass(api);
+    RayQueue queue;
+    pass.run(buffer, queue, profiler);
+    pass.run(buffer, queue, profiler);  // a second frame starts from zero
+    EXPECT_EQ(queue.capacity, static_cast<std::uint32_t>(width * height));
+    result.count = queue.count.read<shared::RayCount>(1)[0];
+    result.rays = queue.rays.read<shared::Ray>(result.count.count);
+    for (const shared::Ray& ray : result.rays) result.pixels.push_back(glm::floatBitsToUint(ray.originPixel.w));
+    std::sort(result.pixels.begin(), result.pixels.end());
+    result.position = testing::readFloats(buffer.position, GL_RGBA, 4);
+    EXPECT_EQ(std::set<std::uint32_t>(result.pixels.begin(), result.pixels.end()).size(), result.pixels.size());
+    return result;
+  }
+};
+
+TEST_F(SelectTest, ReflectivePixelsOnly) {
+  const int width = 101, height = 67;
+  const Selection selection = select(twoWalls(), {}, width, height);
+  std::size_t expected = 0;
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      const float* position = &selection.position[4 * static_cast<std::size_t>(y * width + x)];
+      expected += position[3] > 0 && position[0] < 0;
+    }
+  ASSERT_GT(expected, 1500u);
+  EXPECT_NEAR(static_cast<double>(selection.count.count), static_cast<double>(expected), height);  // the middle column
+  EXPECT_EQ(selection.count.selected, selection.count.count);
+  EXPECT_EQ(selection.count.groupsX, (selection.count.count + 63) / 64);
+  EXPECT_EQ(selection.count.groupsY, 1u);
+  EXPECT_EQ(selection.count.groupsZ, 1u);
+  for (const shared::Ray& ray : selection.rays) {
+    const std::uint32_t pixel = glm::floatBitsToUint(ray.originPixel.w);
+    const glm::vec4 position(selection.position[4 * pixel], selection.position[4 * pixel + 1],
+                             selection.position[4 * pixel + 2], selection.position[4 * pixel + 3]);
+    EXPECT_EQ(glm::vec3(ray.originPixel), glm::vec3(position));
+    // The wall's normal is +z: x and y go on, z turns round.
+    const glm::vec3 view = glm::normalize(glm::vec3(position));
+    EXPECT_LT(glm::distance(glm::vec3(ray.directionExclude), glm::vec3(view.x, view.y, -view.z)), 1e-6f);
+    EXPECT_LT(glm::floatBitsToUint(ray.directionExclude.w), 2u);
+    EXPECT_EQ(glm::vec3(ray.throughput), glm::vec3(1));
+    EXPECT_NEAR(ray.throughput.w, glm::length(glm::vec3(position)), 1e-5f);
+  }
+}
+
+TEST_F(SelectTest, Modes) {
+  Settings settings;
+  settings.select.mode = SelectMode::all;
+  const Selection all = select(twoWalls(), settings, 64, 64);
+  std::size_t surfaces = 0;
+  for (std::size_t i = 3; i < all.position.size(); i += 4) surfaces += all.position[i] > 0;
+  EXPECT_EQ(all.count.count, surfaces);
+  EXPECT_GT(surfaces, 2000u);
+  EXPECT_LT(surfaces, 4096u);
+
+  settings.select.mode = SelectMode::none;
+  const Selection none = select(twoWalls(), settings, 64, 64);
+  EXPECT_EQ(none.count.count, 0u);
+  EXPECT_EQ(none.count.groupsX, 0u);
+  EXPECT_EQ(none.count.groupsY, 1u);
+
+  settings.select.mode = SelectMode::reflective;
+  settings.select.minReflectivity = 0.9f;
+  EXPECT_EQ(select(twoWalls(), settings, 64, 64).count.count, 0u);
+  settings.select.minReflectivity = 0.7f;
+  EXPECT_GT(select(twoWalls(), settings, 64, 64).count.count, 1000u);
+}
+
+TEST_F(SelectTest, FractionsAreExactNestedAndEven) {
+  Scene scene;
+  scene.materials.resize(1);
+  scene.materials[0].mirror = 1.0f;
+  addQuad(scene, {-9, -9, -3}, {9, -9, -3}, {9, 9, -3}, {-9, 9, -3}, 0);
+  const int width = 150, height = 130;
+  const double pixels = width * height;
+  std::vector<std::uint32_t> smaller;
+  for (const float fraction : {0.0f, 0.05f, 0.25f, 0.5f, 0.77f, 1.0f}) {
+    Settings settings;
+    settings.select.fraction = fraction;
+    const Selection selection = select(scene, settings, width, height);
+    EXPECT_EQ(selection.count.selected, static_cast<std::uint32_t>(pixels));
+    EXPECT_NEAR(selection.count.count / pixels, fraction, fraction == 0 || fraction == 1 ? 0 : 0.01);
+    EXPECT_TRUE(std::includes(selection.pixels.begin(), selection.pixels.end(), smaller.begin(), smaller.end()));
+    // Every block of 10 x 10 pixels has its share.
+    std::vector<int> blocks(15 * 13, 0);
+    for (const std::uint32_t pixel : selection.pixels)
+      ++blocks[static_cast<std::size_t>((pixel / width) / 10 * 15 + (pixel % width) / 10)];
+    for (const int block : blocks) EXPECT_NEAR(block, 100 * fraction, 9) << "fraction " << fraction;
+    smaller = selection.pixels;
+  }
+  EXPECT_EQ(smaller.size(), static_cast<std::size_t>(pixels));
+}
+
+TEST_F(SelectTest, LargeQueuesStayBelowTheDispatchLimit) {
+  // The counter alone: rows of groups where one axis is not enough.
+  gl::Program finish = gl::Program::compute(api, "passes/ray_count.comp");
+  for (const std::uint32_t count : {0u, 1u, 64u, 65u, 65535u * 64u, 65535u * 64u + 1u, 40000000u}) {
+    shared::RayCount value{};
+    value.count = count;
+    gl::Buffer buffer = gl::makeBuffer(api, std::span<const shared::RayCount>(&value, 1), "ray count");
+    buffer.bindStorage(SSBO_RAY_COUNT);
+    finish.use();
+    api.DispatchCompute(1, 1, 1);
+    api.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    const shared::RayCount result = buffer.read<shared::RayCount>(1)[0];
+    EXPECT_LE(result.groupsX, 65535u);
+    const std::uint64_t rays = std::uint64_t{64} * result.groupsX * result.groupsY;
+    EXPECT_GE(rays, count);
+    EXPECT_LE(rays, std::uint64_t{count} + 64 * std::uint64_t{result.groupsY + 1});
+    EXPECT_EQ(result.count, count);
+  }
+}
+
+}  // namespace
+}  // namespace halfsilver
