@@ -220,13 +220,16 @@ TEST_F(StateGuardTest, RestoresWhatTheCallerHadSet) {
 }
 
 TEST_F(StateGuardTest, StartsFromInitialValues) {
-  api.Viewport(0, 0, 4, 4);
+  const auto setKeptValues = [this] {
+    for (GLuint i = 0; i < 16; ++i) {
+      api.ViewportIndexedf(i, 0, 0, 4, 4);
+      api.ScissorIndexed(i, 0, 0, 4, 4);
+    }
+  };
+  setKeptValues();
   const Snapshot initial(api);
   scramble(5);
-  for (GLuint i = 0; i < 16; ++i) {  // kept as they are
-    api.ViewportIndexedf(i, 0, 0, 4, 4);
-    api.ScissorIndexed(i, 0, 0, 0, 0);
-  }
+  setKeptValues();
   EXPECT_GT(differences(initial, Snapshot(api)), static_cast<int>(initial.lines().size() / 2));
   const gl::StateGuard guard(api);
   EXPECT_EQ(initial.lines(), Snapshot(api).lines());

@@ -1,0 +1,148 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+// The rooms of the house: who may include whom, and how long a file may be.
+namespace halfsilver {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A room below renderer/ with the rooms that it may include besides itself. Whatever is not named is forbidden: upward
+// edges and sisters. "settings" and "renderer" are settings.* and renderer.*, "shared" is shaders/shared.
+const std::map<std::string, std::set<std::string>> kMayInclude = {
+    {"core", {}},
+    {"settings", {"core"}},
+    {"scene", {"core", "shared"}},
+    {"gl", {"core"}},
+    {"frame", {"core", "scene", "gl", "settings", "shared"}},
+    {"passes", {"core", "scene", "gl", "frame", "settings", "shared"}},
+    {"tracing", {"core", "scene", "gl", "frame", "settings", "shared"}},
+    {"renderer", {"core", "scene", "gl", "frame", "settings", "shared", "passes", "tracing"}},
+    {"context", {"core"}},
+    {"io", {"core", "scene", "settings"}},
+    {"exact", {"core", "scene", "gl", "frame", "settings", "shared", "tracing"}},
+    {"apps", {"core", "scene", "gl", "settings", "renderer", "context", "io", "exact"}},
+};
+
+struct Include {
+  int line;
+  std::string path;
+};
+
+std::vector<Include> includes(const fs::path& file) {
+  std::vector<Include> found;
+  std::ifstream in(file);
+  const std::string start = "#include \"";
+  int number = 0;
+  for (std::string line; std::getline(in, line);) {
+    ++number;
+    if (line.rfind(start, 0) == 0)
+      found.push_back({number, line.substr(start.size(), line.find('"', start.size()) - start.size())});
+  }
+  return found;
+}
+
+// The room of a path below renderer/ or of an include; empty where it is in none.
+std::string room(const fs::path& path) {
+  const std::string first = path.begin() == path.end() ? "" : path.begin()->string();
+  if (first != path) return kMayInclude.contains(first) || first == "shared" ? first : "";
+  const std::string stem = path.stem().string();
+  return stem == "settings" || stem == "renderer" ? stem : "";
+}
+
+// What is wrong with an include of `included` in `file`, a path below renderer/.
+std::optional<std::string> complaint(const fs::path& file, const std::string& included) {
+  const std::string from = room(file), to = room(included);
+  if (from.empty()) return "the file is in no room";
+  if (to.empty()) return "the included file is in no room";
+  if (from != to && !kMayInclude.at(from).contains(to)) return from + " may not include " + to;
+  // A method's folder under tracing/ is for make_tracer.cpp and itself only.
+  const std::string folder = fs::path(included).parent_path().string();
+  if (to == "tracing" && folder != "tracing" && file.parent_path() != folder && file != "tracing/make_tracer.cpp")
+    return "a method's folder is its own";
+  return std::nullopt;
+}
+
+std::vector<fs::path> filesBelow(const std::string& folder, const std::set<std::string>& extensions) {
+  std::vector<fs::path> files;
+  if (!fs::exists(fs::path(HALFSILVER_SOURCE_DIR) / folder)) return files;
+  for (const auto& entry : fs::recursive_directory_iterator(fs::path(HALFSILVER_SOURCE_DIR) / folder))
+    if (entry.is_regular_file() && extensions.contains(entry.path().extension().string()))
+      files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+TEST(Layering, IncludesPointOneWay) {
+  const fs::path root = fs::path(HALFSILVER_SOURCE_DIR) / "renderer";
+  const std::vector<fs::path> files = filesBelow("renderer", {".h", ".cpp"});
+  ASSERT_GT(files.size(), 20u);
+  std::size_t count = 0;
+  for (const fs::path& file : files) {
+    const fs::path path = file.lexically_relative(root);
+    for (const Include& include : includes(file)) {
+      ++count;
+      if (const auto wrong = complaint(path, include.path))
+        ADD_FAILURE() << "renderer/" << path.string() << ":" << include.line << " includes \"" << include.path
+                      << "\": " << *wrong;
+    }
+  }
+  EXPECT_GT(count, files.size()) << "include lines must have been found";
+}
+
+TEST(Layering, RulesForbidUpwardEdgesAndSisters) {
+  EXPECT_FALSE(complaint("passes/gbuffer.cpp", "frame/products.h"));
+  EXPECT_FALSE(complaint("tracing/make_tracer.cpp", "tracing/identity/identity_tracer.h"));
+  EXPECT_FALSE(complaint("tracing/identity/identity_tracer.cpp", "tracing/grid.h"));
+  EXPECT_TRUE(complaint("core/image.h", "scene/scene.h"));
+  EXPECT_TRUE(complaint("gl/buffer.cpp", "scene/scene.h"));
+  EXPECT_TRUE(complaint("passes/gbuffer.cpp", "tracing/tracer.h"));
+  EXPECT_TRUE(complaint("io/gltf.cpp", "context/context.h"));
+  EXPECT_TRUE(complaint("io/gltf.cpp", "renderer.h"));
+  EXPECT_TRUE(complaint("tracing/attributes/attribute_tracer.cpp", "tracing/identity/identity_tracer.h"));
+  EXPECT_TRUE(complaint("io/gltf.cpp", "apps/commands.h"));
+  EXPECT_TRUE(complaint("gl/buffer.cpp", "nowhere.h"));
+}
+
+// Heavy libraries and windows stay where they are: each header in one room, or in one file.
+TEST(Layering, LibrariesStayInTheirPlace) {
+  const std::map<std::string, std::string> places = {
+      {"tiny_gltf.h", "io/gltf"}, {"OpenImageIO/", "io/openimageio_module.cpp"},
+      {"embree3/", "exact/"},     {"EGL/", "context/egl.cpp"},
+      {"CLI/", "apps/"},          {"GLFW/", "apps/"},
+      {"toml++/", "io/"}};
+  const fs::path root = fs::path(HALFSILVER_SOURCE_DIR) / "renderer";
+  for (const fs::path& file : filesBelow("renderer", {".h", ".cpp"})) {
+    const std::string path = file.lexically_relative(root).generic_string();
+    std::ifstream in(file);
+    for (std::string line; std::getline(in, line);)
+      for (const auto& [library, place] : places)
+        if (line.rfind("#include <" + library, 0) == 0) {
+          EXPECT_EQ(path.rfind(place, 0), 0u) << path << " includes " << library << ", which belongs to " << place;
+        }
+  }
+}
+
+TEST(Layering, FilesAreOneThing) {
+  const std::map<std::string, int> limits = {{".h", 180},    {".cpp", 600},  {".glsl", 250},
+                                             {".vert", 250}, {".frag", 250}, {".comp", 250}};
+  std::set<std::string> extensions;
+  for (const auto& limit : limits) extensions.insert(limit.first);
+  for (const char* folder : {"renderer", "shaders", "tests", "bench"})
+    for (const fs::path& file : filesBelow(folder, extensions)) {
+      std::ifstream in(file);
+      const auto lines = std::count(std::istreambuf_iterator<char>(in), {}, '\n');
+      EXPECT_LE(lines, limits.at(file.extension().string())) << file.lexically_relative(HALFSILVER_SOURCE_DIR);
+    }
+}
+
+}  // namespace
+}  // namespace halfsilver
