@@ -40,12 +40,13 @@ void addCurtain(MeshBuilder& build, std::uint32_t cloth, dvec3 top, double side,
     // s runs to the right seen from the nave at x < 0 of it, that is along +z.
     const double across = side > 0 ? 1 - s : s;  // 0 at the column, 1 in the middle of the arch
     const double tied = 0.62;
-    const double gather = t < tied ? 1 - 0.80 * std::pow(t / tied, 1.6) : 0.20 + 0.30 * (t - tied) / (1 - tied);
+    const double gather =
+        t < tied ? 1 - 0.80 * std::pow(std::max(t, 0.0) / tied, 1.6) : 0.20 + 0.30 * (t - tied) / (1 - tied);
     const double sag = 0.42 * across * across * std::sin(kPi * std::min(1.0, t / tied)) * (1 - gather);
     const double folds = std::sin(2 * kPi * 7 * across + phase) + 0.3 * std::sin(2 * kPi * 15 * across + 3 * phase);
     const double depth = (0.035 + 0.05 * (1 - gather)) * folds;
     const double y = -3.25 * t - sag;
-    return top + dvec3(depth, std::max(y, -3.52), -side * (width * (across * gather) - 0.0));
+    return top + dvec3(depth, std::max(y, -3.52), -side * width * across * gather);
   });
 }
 

@@ -36,7 +36,7 @@ Model makeSphereScene() {
   build.use(violet).roundedBox({-2.6, 0, 5.2}, {1.2, 2.2, 0.8}, 0.06, kRound, 0.4);
   build.use(orange).roundedBox({3.3, 0, 5.0}, {1.0, 1.4, 1.0}, 0.06, kRound, -0.6);
   build.use(blue).roundedBox({-4.6, 0, 2.4}, {0.9, 1.2, 0.9}, 0.06, kRound, 0.2);
-  // A round pillar with a ball on it, and one behind the camera.
+  // A round pillar with a ball on it, and two out of sight.
   const auto pillar = [&](dvec3 base, double radius, double height, std::uint32_t shaft, std::uint32_t ball) {
     build.use(shaft).lathe(Profile().lines({{0, height}, {radius, height}, {radius, 0}}), base, 48);
     build.use(ball).lathe(Profile().arc({0, 0}, 0.8 * radius, 0.5 * kPi, -0.5 * kPi, 24),
@@ -44,6 +44,7 @@ Model makeSphereScene() {
   };
   pillar({-3.6, 0, -2.6}, 0.32, 1.7, yellow, red);
   pillar({3.9, 0, 1.6}, 0.30, 1.3, green, violet);
+  pillar({-0.7, 0, 5.7}, 0.34, 1.5, red, yellow);
   setMesh(scene, build.take());
 
   scene.lights.push_back(sunlight({-0.55f, -0.80f, -0.45f}, glm::vec3(1.0f, 0.94f, 0.84f), 7.0f));
