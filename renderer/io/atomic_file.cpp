@@ -29,8 +29,7 @@ int openNew(const fs::path& path) { return ::open(path.c_str(), O_WRONLY | O_CRE
 
 AtomicFile::AtomicFile(const fs::path& target) : shown_(target), target_(target) {
   std::error_code error;
-  if (fs::is_symlink(target, error)) target_ = fs::weakly_canonical(target, error);
-  if (error) fail(shown_, error.message());
+  if (fs::is_symlink(fs::symlink_status(target, error))) target_ = fs::weakly_canonical(target, error);
   const fs::file_status status = fs::status(target_, error);
   if (fs::exists(status) && !fs::is_regular_file(status))
     fail(shown_, fs::is_directory(status) ? "it is a folder" : "it is not a regular file");

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <glm/glm.hpp>
+#include <string>
+#include <string_view>
+
+// The texts of the command line as values. Each throws Error (usage) that names the option and what it takes.
+namespace halfsilver {
+
+struct Size {
+  int width = 0, height = 0;  // 1..16384
+};
+
+Size parseSize(std::string_view text);  // "960x540"
+
+// "1.5,0,-2"; finite.
+glm::dvec3 parseVector(std::string_view option, std::string_view text);
+
+struct MirrorArgument {
+  std::string material;    // or "*"
+  float reflectivity = 0;  // 0..1
+};
+
+MirrorArgument parseMirror(std::string_view text);  // "floor=0.9"
+
+struct SettingArgument {
+  std::string name, value;
+};
+
+SettingArgument parseSetting(std::string_view text);  // "voxels.resolution=64"
+
+}  // namespace halfsilver

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+// Each function adds one command to the program; the command runs at the end of the parse and throws Error.
+namespace halfsilver {
+
+void addRenderCommand(CLI::App& program);
+void addInfoCommand(CLI::App& program);
+void addCompareCommand(CLI::App& program);
+void addPresetsCommand(CLI::App& program);
+
+}  // namespace halfsilver

@@ -1,0 +1,173 @@
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <iostream>
+#include <memory>
+#include <string>
+
+#include "apps/commands.h"
+#include "apps/scene_input.h"
+#include "apps/statistics.h"
+
+namespace halfsilver {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+double luminance(const glm::vec3& c) { return 0.2126 * c.r + 0.7152 * c.g + 0.0722 * c.b; }
+
+// Reflectance at normal incidence from the factors alone, without textures.
+double reflectivity(const Material& material) {
+  if (material.mirror) return *material.mirror;
+  if (material.unlit) return 0;
+  const double ratio = (material.ior - 1.0) / (material.ior + 1.0);
+  const double dielectric = std::min(1.0, ratio * ratio * luminance(material.specularColor)) * material.specular;
+  return dielectric + (luminance(glm::vec3(material.baseColor)) - dielectric) * material.metallic;
+}
+
+const char* alphaModeName(AlphaMode mode) {
+  return mode == AlphaMode::opaque ? "opaque" : mode == AlphaMode::mask ? "mask" : "blend";
+}
+
+const char* lightTypeName(LightType type) {
+  return type == LightType::directional ? "directional" : type == LightType::point ? "point" : "spot";
+}
+
+// A float as the shortest decimal that reads back as it: 0.9, not 0.8999999761581421.
+double shortest(double value) {
+  char text[32];
+  const auto end = std::to_chars(text, text + sizeof(text), static_cast<float>(value)).ptr;
+  double decimal = 0;
+  std::from_chars(text, end, decimal);
+  return decimal;
+}
+
+Json vectorJson(const glm::vec3& v) { return Json::array({shortest(v.x), shortest(v.y), shortest(v.z)}); }
+
+// World coordinates of a point relative to the scene's origin.
+Json worldJson(const Scene& scene, const glm::vec3& p) {
+  return Json::array({scene.origin.x + shortest(p.x), scene.origin.y + shortest(p.y), scene.origin.z + shortest(p.z)});
+}
+
+Json partsJson(const Model& model) {
+  Json parts = Json::array();
+  for (const Instance& instance : model.rig.instances) {
+    Json part;
+    part["node"] = instance.node;
+    part["mesh"] = instance.mesh;
+    part["primitive"] = instance.primitive;
+    part["first_triangle"] = instance.firstTriangle;
+    part["triangles"] = instance.triangleCount;
+    part["material"] = nullptr;
+    if (instance.triangleCount > 0) part["material"] = model.scene.triangles[instance.firstTriangle].material;
+    parts.push_back(std::move(part));
+  }
+  return parts;
+}
+
+Json infoJson(const std::string& file, const Model& model) {
+  const Scene& scene = model.scene;
+  const Bounds bounds = scene.bounds();
+  Json json;
+  json["file"] = file;
+  json["triangles"] = scene.triangles.size();
+  json["vertices"] = scene.vertices.size();
+  json["materials"] = Json::array();
+  for (const Material& material : scene.materials)
+    json["materials"].push_back({{"name", material.name},
+                                 {"reflectivity", shortest(reflectivity(material))},
+                                 {"roughness", shortest(material.mirror ? 0.0f : material.roughness)},
+                                 {"metallic", shortest(material.metallic)},
+                                 {"alpha_mode", alphaModeName(material.alphaMode)},
+                                 {"double_sided", material.doubleSided},
+                                 {"unlit", material.unlit}});
+  json["textures"] = Json::array();
+  for (const auto& texture : scene.textures)
+    json["textures"].push_back({{"name", texture->name}, {"width", texture->width}, {"height", texture->height}});
+  json["lights"] = Json::array();
+  for (const Light& light : scene.lights)
+    json["lights"].push_back({{"type", lightTypeName(light.type)},
+                              {"position", worldJson(scene, light.position)},
+                              {"direction", vectorJson(light.direction)},
+                              {"color", vectorJson(light.color)},
+                              {"intensity", shortest(light.intensity)}});
+  json["cameras"] = Json::array();
+  for (const Camera& camera : scene.cameras)
+    json["cameras"].push_back({{"name", camera.name},
+                               {"eye", worldJson(scene, camera.eye)},
+                               {"target", worldJson(scene, camera.target)},
+                               {"fov", shortest(glm::degrees(camera.verticalFov))}});
+  json["bounds"] = nullptr;
+  if (!bounds.empty())
+    json["bounds"] = {{"low", worldJson(scene, bounds.low)}, {"high", worldJson(scene, bounds.high)}};
+  json["diagonal"] = bounds.diagonal();
+  json["dropped"] = {{"degenerate", model.dropped.degenerate}, {"non_finite", model.dropped.nonFinite}};
+  json["animations"] = Json::array();
+  for (const Animation& animation : model.rig.animations)
+    json["animations"].push_back({{"name", animation.name}, {"duration", shortest(animation.duration)}});
+  json["parts"] = partsJson(model);
+  json["warnings"] = model.warnings;
+  return json;
+}
+
+void printMaterials(const Json& materials) {
+  std::size_t width = 8;
+  for (const Json& material : materials) width = std::max(width, material["name"].get<std::string>().size());
+  for (const Json& material : materials) {
+    const auto name = material["name"].get<std::string>();
+    std::cout << "  " << name << std::string(width + 2 - name.size(), ' ') << "reflectivity "
+              << material["reflectivity"] << ", roughness " << material["roughness"] << ", "
+              << material["alpha_mode"].get<std::string>() << (material["double_sided"] ? ", double-sided" : "")
+              << (material["unlit"] ? ", unlit" : "") << '\n';
+  }
+}
+
+void printInfo(const Json& json) {
+  std::cout << json["file"].get<std::string>() << "\n"
+            << "triangles   " << json["triangles"] << " (dropped: " << json["dropped"]["degenerate"] << " degenerate, "
+            << json["dropped"]["non_finite"] << " not finite)\n"
+            << "vertices    " << json["vertices"] << "\n"
+            << "textures    " << json["textures"].size() << "\n"
+            << "lights      " << json["lights"].size() << "\n"
+            << "bounds      ";
+  if (json["bounds"].is_null())
+    std::cout << "none\n";
+  else
+    std::cout << json["bounds"]["low"] << " to " << json["bounds"]["high"] << ", diagonal " << json["diagonal"]
+              << " m\n";
+  std::cout << "cameras     " << json["cameras"].size() << "\n";
+  for (const Json& camera : json["cameras"])
+    std::cout << "  " << camera["name"].get<std::string>() << "  eye " << camera["eye"] << " target "
+              << camera["target"] << " fov " << camera["fov"] << "\n";
+  std::cout << "animations  " << json["animations"].size() << "\n";
+  for (const Json& animation : json["animations"])
+    std::cout << "  " << animation["name"].get<std::string>() << "  " << animation["duration"] << " s\n";
+  std::cout << "parts       " << json["parts"].size() << " (see --json)\n";
+  std::cout << "materials   " << json["materials"].size() << "\n";
+  printMaterials(json["materials"]);
+}
+
+}  // namespace
+
+void addInfoCommand(CLI::App& program) {
+  struct Request {
+    std::string scene;
+    bool json = false;
+  };
+  CLI::App* command = program.add_subcommand("info", "Say what a scene holds");
+  const auto request = std::make_shared<Request>();
+  command->add_option("SCENE", request->scene, ".gltf or .glb file, or builtin:NAME")->required();
+  command->add_flag("--json", request->json, "Print JSON, with every part (node and primitive) and its triangles");
+  command->callback([request] {
+    const Model model = loadScene(request->scene);
+    const Json json = infoJson(request->scene, model);
+    if (request->json) {
+      std::cout << dump(json);
+      return;
+    }
+    for (const std::string& warning : model.warnings) std::cerr << "warning: " << warning << '\n';
+    printInfo(json);
+  });
+}
+
+}  // namespace halfsilver

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "apps/arguments.h"
+#include "gl/framebuffer.h"
+#include "gl/texture.h"
+#include "renderer.h"
+
+namespace halfsilver {
+
+// An RGBA8 framebuffer of our own to draw into: contexts without a window have none.
+class OffscreenTarget {
+ public:
+  // Throws Error (noContext) where the device's limit is below the size.
+  OffscreenTarget(const gl::Api& api, const Size& size);
+
+  Target target() const;
+  // 8-bit RGBA, rows from the top. Waits for the GPU.
+  std::vector<std::uint8_t> read() const;
+
+ private:
+  Size size_;
+  gl::Texture color_;
+  gl::Framebuffer framebuffer_;
+};
+
+}  // namespace halfsilver

@@ -1,0 +1,285 @@
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "apps/arguments.h"
+#include "apps/commands.h"
+#include "apps/offscreen.h"
+#include "apps/progress.h"
+#include "apps/scene_input.h"
+#include "apps/statistics.h"
+#include "apps/wall_clock.h"
+#include "context/context.h"
+#include "core/error.h"
+#include "io/atomic_file.h"
+#include "io/images.h"
+#include "io/settings_file.h"
+#include "renderer.h"
+#if HALFSILVER_EXACT
+#include "exact/exact_tracer.h"
+#endif
+
+namespace halfsilver {
+namespace {
+
+// First draws compile shaders, and some methods size their pool by the frame before.
+constexpr int kMostWarmUpFrames = 4;
+
+struct RenderRequest {
+  std::string scene, output, stats, layers;
+  std::string size = "960x540";
+  std::string camera, eye, target;
+  std::optional<double> fov, time;
+  std::vector<std::string> mirrors, set;
+  std::string sky, preset, config;
+  std::string context = "auto";
+  std::optional<int> bounces;
+  int repeat = 1;
+  int threads = 0;
+};
+
+std::string lowerExtension(const std::string& file) {
+  std::string extension = std::filesystem::path(file).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : static_cast<char>(c);
+  });
+  return extension;
+}
+
+// The files of a run: all appear, or none.
+class Outputs {
+ public:
+  explicit Outputs(const RenderRequest& request) {
+    const std::string extension = lowerExtension(request.output);
+    if (extension != ".png" && extension != ".exr")
+      throw Error(ErrorKind::usage, "-o " + request.output + ": the picture is a .png or .exr file");
+    if (!request.layers.empty() && lowerExtension(request.layers) != ".exr")
+      throw Error(ErrorKind::usage, "--layers " + request.layers + ": layers are an .exr file");
+    linear_ = extension == ".exr";
+    add(picture_, request.output);
+    add(stats_, request.stats);
+    add(layers_, request.layers);
+  }
+
+  bool linear() const { return linear_; }
+  bool wantsLayers() const { return linear_ || layers_.has_value(); }
+
+  void writePicture(std::span<const std::byte> bytes) { picture_->write(bytes); }
+  void writeStatistics(const RunStatistics& statistics) {
+    if (stats_) stats_->write(dump(toJson(statistics)));
+  }
+  void writeLayers(const Image& layers, double diagonal) {
+    if (layers_) layers_->write(encodeExr(layers, diagonal));
+  }
+  void commit() {
+    for (std::optional<AtomicFile>* file : {&layers_, &stats_, &picture_})
+      if (*file) (*file)->commit();
+  }
+
+ private:
+  void add(std::optional<AtomicFile>& file, const std::string& path) {
+    if (path.empty()) return;
+    const std::filesystem::path absolute = std::filesystem::weakly_canonical(path);
+    if (std::find(paths_.begin(), paths_.end(), absolute) != paths_.end())
+      throw Error(ErrorKind::usage, path + " is named for two outputs");
+    paths_.push_back(absolute);
+    file.emplace(path);
+  }
+
+  std::optional<AtomicFile> picture_, stats_, layers_;
+  std::vector<std::filesystem::path> paths_;
+  bool linear_ = false;
+};
+
+// Defaults, then preset or file, then --set, then --bounces.
+Settings resolveSettings(const RenderRequest& request) {
+  Settings settings;
+  if (!request.preset.empty()) applyPreset(settings, request.preset);
+  if (!request.config.empty()) applySettingsFile(settings, request.config);
+  for (const std::string& text : request.set) {
+    const SettingArgument argument = parseSetting(text);
+    set(settings, argument.name, argument.value);
+  }
+  if (request.bounces) set(settings, "trace.bounces", std::to_string(*request.bounces));
+  return settings;
+}
+
+Model prepareScene(const RenderRequest& request) {
+  Model model = loadScene(request.scene);
+  std::vector<MirrorArgument> mirrors;
+  for (const std::string& text : request.mirrors) mirrors.push_back(parseMirror(text));
+  applyMirrors(model.scene, mirrors);
+  if (!request.sky.empty()) {
+    if (const std::size_t repaired = readSky(request.sky, model.scene.sky))
+      model.warnings.push_back(request.sky + ": " + std::to_string(repaired) +
+                               " values outside 0..65504 or not a number were brought into that range");
+  }
+  if (request.time) {
+    if (model.rig.animations.empty()) model.warnings.push_back("the scene has no animation: --time changes nothing");
+    pose(model, *request.time);
+  }
+  return model;
+}
+
+ContextKind contextKind(const std::string& name) {
+  if (name == "egl") return ContextKind::egl;
+  return name == "osmesa" ? ContextKind::osmesa : ContextKind::automatic;
+}
+
+TracerFactory exactFactory(const Scene& scene, int threads) {
+#if HALFSILVER_EXACT
+  return makeExactTracerFactory(scene, threads);
+#else
+  static_cast<void>(scene);
+  static_cast<void>(threads);
+  return {};
+#endif
+}
+
+void addWarnings(const std::vector<std::string>& from, std::vector<std::string>& to) {
+  for (const std::string& warning : from)
+    if (std::find(to.begin(), to.end(), warning) == to.end()) to.push_back(warning);
+}
+
+// Warm-up frames, then the measured ones.
+void drawFrames(Renderer& renderer, const Camera& camera, const Settings& settings, const Target& target, int repeat,
+                Progress& progress, WallClock& clock, RunStatistics& statistics) {
+  std::uint64_t lost = 1;
+  while (lost > 0 && statistics.warmUpFrames < kMostWarmUpFrames) {
+    progress.show("warming up");
+    renderer.render(camera, settings, target);
+    lost = renderer.report().lostFragments;
+    ++statistics.warmUpFrames;
+  }
+  clock.lap("warm_up");
+  StageTimes times;
+  for (int frame = 0; frame < repeat; ++frame) {
+    progress.show("frame " + std::to_string(frame + 1) + " of " + std::to_string(repeat));
+    renderer.render(camera, settings, target);
+    statistics.report = renderer.report();
+    times.add(statistics.report.times);
+    addWarnings(statistics.report.warnings, statistics.warnings);
+  }
+  statistics.stages = times.summarize();
+  clock.lap("frames");
+}
+
+// The last frame, encoded under temporary names.
+void writePictures(const Renderer& renderer, const OffscreenTarget& target, const Size& size, double diagonal,
+                   Outputs& outputs) {
+  const Image layers = outputs.wantsLayers() ? renderer.readLayers() : Image{};
+  if (outputs.linear()) {
+    Image picture{layers.width, layers.height, {"R", "G", "B", "A"}, {}};
+    picture.data.reserve(layers.pixelCount() * 4);
+    for (std::size_t pixel = 0; pixel < layers.pixelCount(); ++pixel)
+      for (const std::string& name : picture.channels)
+        picture.data.push_back(
+            layers.data[pixel * layers.channels.size() + static_cast<std::size_t>(layers.channel(name))]);
+    outputs.writePicture(encodeExr(picture, diagonal));
+  } else {
+    outputs.writePicture(encodePng(size.width, size.height, target.read()));
+  }
+  outputs.writeLayers(layers, diagonal);
+}
+
+void render(const RenderRequest& request) {
+  WallClock clock;
+  // All that can be wrong with the request itself, before any long work.
+  const Size size = parseSize(request.size);
+  CameraRequest cameraRequest{request.camera, {}, {}, request.fov};
+  if (!request.eye.empty()) cameraRequest.eye = parseVector("--eye", request.eye);
+  if (!request.target.empty()) cameraRequest.target = parseVector("--target", request.target);
+  for (const std::string& text : request.mirrors) parseMirror(text);
+  RunStatistics statistics;
+  statistics.settings = resolveSettings(request);
+  Outputs outputs(request);
+
+  Progress progress;
+  progress.show("loading " + request.scene);
+  const Model model = prepareScene(request);
+  const Camera camera = chooseCamera(model.scene, cameraRequest);
+  statistics.sceneFile = request.scene;
+  statistics.triangles = model.scene.triangles.size();
+  statistics.vertices = model.scene.vertices.size();
+  statistics.materials = model.scene.materials.size();
+  statistics.textures = model.scene.textures.size();
+  statistics.lights = model.scene.lights.size();
+  statistics.diagonal = model.scene.bounds().diagonal();
+  statistics.width = size.width;
+  statistics.height = size.height;
+  statistics.warnings = model.warnings;
+  clock.lap("load");
+
+  const Context context = makeContext(contextKind(request.context));
+  const gl::Api api = gl::Api::load(context.getProcAddress());
+  const OffscreenTarget target(api, size);
+  Renderer renderer(context.getProcAddress(), exactFactory(model.scene, request.threads));
+  statistics.device = renderer.device();
+  statistics.context = context.name();
+  clock.lap("context");
+  progress.show("uploading " + std::to_string(statistics.triangles) + " triangles");
+  renderer.setScene(model.scene);
+  clock.lap("upload");
+
+  drawFrames(renderer, camera, statistics.settings, target.target(), request.repeat, progress, clock, statistics);
+  progress.show("writing " + request.output);
+  writePictures(renderer, target, size, statistics.diagonal, outputs);
+  clock.lap("write");
+  statistics.wallMilliseconds = clock.milliseconds();
+  outputs.writeStatistics(statistics);
+  outputs.commit();
+
+  progress.clear();
+  for (const std::string& warning : statistics.warnings) std::cerr << "warning: " << warning << '\n';
+  std::cout << toTable(statistics);
+}
+
+void addCameraOptions(CLI::App& command, RenderRequest& request) {
+  command.add_option("--camera", request.camera, "Name or index of a camera of the scene (default: the first)");
+  command.add_option("--eye", request.eye, "X,Y,Z of a camera of your own, world coordinates; with --target");
+  command.add_option("--target", request.target, "X,Y,Z that it looks at");
+  command.add_option("--fov", request.fov, "Vertical field of view in degrees, for --eye or the scene's camera");
+  command.add_option("--time", request.time, "Seconds into the scene's first animation");
+}
+
+void addOutputOptions(CLI::App& command, RenderRequest& request) {
+  command.add_option("-o,--output", request.output, "Picture: .png (tone-mapped sRGB) or .exr (linear)")->required();
+  command.add_option("--stats", request.stats, "Statistics as JSON");
+  command.add_option("--layers", request.layers,
+                     "All layers in one .exr: depth, normal, selected, hit, reflection, ...");
+  command.add_option("--size", request.size, "WIDTHxHEIGHT in pixels")->capture_default_str();
+}
+
+}  // namespace
+
+void addRenderCommand(CLI::App& program) {
+  CLI::App* command = program.add_subcommand("render", "Draw one picture of a scene");
+  const auto shared = std::make_shared<RenderRequest>();
+  RenderRequest& request = *shared;
+  command->add_option("SCENE", request.scene, ".gltf or .glb file, or builtin:NAME")->required();
+  addOutputOptions(*command, request);
+  addCameraOptions(*command, request);
+  command->add_option("--mirror", request.mirrors, "MATERIAL=REFLECTIVITY: a mirror of a material; * for all")
+      ->allow_extra_args(false);
+  command->add_option("--sky", request.sky, "Equirectangular image (HDR, EXR) as the sky");
+  CLI::Option* preset = command->add_option("--preset", request.preset, "One of the presets (see: halfsilver presets)");
+  command->add_option("--config", request.config, "Settings from a .toml file")->excludes(preset);
+  command->add_option("--set", request.set, "section.key=value: one setting")->allow_extra_args(false);
+  command->add_option("--bounces", request.bounces, "Reflections along a path (trace.bounces)")
+      ->check(CLI::Range(1, 16));
+  command->add_option("--context", request.context, "Where OpenGL comes from: auto, egl, osmesa")
+      ->check(CLI::IsMember({"auto", "egl", "osmesa"}))
+      ->capture_default_str();
+  command->add_option("--repeat", request.repeat, "Measured frames; times are medians")
+      ->check(CLI::Range(1, 100000))
+      ->capture_default_str();
+  command->add_option("--threads", request.threads, "Threads of the exact tracer (default: one a core)")
+      ->check(CLI::Range(1, 1024));
+  command->callback([shared] { render(*shared); });
+}
+
+}  // namespace halfsilver

@@ -1,0 +1,91 @@
+#include "apps/scene_input.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "core/error.h"
+#include "io/gltf.h"
+#include "scene/builtin.h"
+
+namespace halfsilver {
+namespace {
+
+[[noreturn]] void reject(const std::string& what) { throw Error(ErrorKind::usage, what); }
+
+const Camera& cameraByName(const Scene& scene, const std::string& name) {
+  const auto found = std::find_if(scene.cameras.begin(), scene.cameras.end(),
+                                  [&](const Camera& camera) { return camera.name == name; });
+  if (found != scene.cameras.end()) return *found;
+  std::size_t index = 0;
+  const char* end = name.data() + name.size();
+  const auto parsed = std::from_chars(name.data(), end, index);
+  if (parsed.ec == std::errc() && parsed.ptr == end && index < scene.cameras.size()) return scene.cameras[index];
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < scene.cameras.size(); ++i)
+    names.push_back(std::to_string(i) + " '" + scene.cameras[i].name + "'");
+  reject("unknown camera '" + name + "'; " + (names.empty() ? "the scene has none" : "known are " + listNames(names)));
+}
+
+Camera cameraFromWorld(const Scene& scene, const glm::dvec3& eye, const glm::dvec3& target) {
+  const glm::dvec3 direction = target - eye;
+  const double length = glm::length(direction);
+  if (!(length > 0) || !std::isfinite(length)) reject("--eye and --target are the same point or too far apart");
+  Camera camera;
+  camera.name = "command line";
+  camera.eye = glm::vec3(eye - scene.origin);
+  camera.target = glm::vec3(target - scene.origin);
+  // Looking straight up or down, the top of the picture is -z, as on a map.
+  if (std::abs(direction.y) > 0.9999 * length) camera.up = glm::vec3(0, 0, -1);
+  return camera;
+}
+
+}  // namespace
+
+Model loadScene(const std::string& name) {
+  constexpr std::string_view prefix = "builtin:";
+  if (name.starts_with(prefix)) return makeBuiltin(std::string_view(name).substr(prefix.size()));
+  return loadGltf(name);
+}
+
+void applyMirrors(Scene& scene, std::span<const MirrorArgument> mirrors) {
+  for (const MirrorArgument& mirror : mirrors) {
+    bool found = mirror.material == "*";
+    for (Material& material : scene.materials) {
+      if (mirror.material != "*" && material.name != mirror.material) continue;
+      material.mirror = mirror.reflectivity;
+      found = true;
+    }
+    if (found) continue;
+    std::vector<std::string> names;
+    for (const Material& material : scene.materials) names.push_back(material.name);
+    reject("--mirror: unknown material '" + mirror.material + "'; known are " + listNames(names));
+  }
+}
+
+Camera chooseCamera(const Scene& scene, const CameraRequest& request) {
+  if (request.eye.has_value() != request.target.has_value()) reject("--eye and --target go together");
+  if (request.eye && !request.name.empty()) reject("--camera and --eye exclude each other");
+  Camera camera;
+  if (request.eye)
+    camera = cameraFromWorld(scene, *request.eye, *request.target);
+  else if (!request.name.empty())
+    camera = cameraByName(scene, request.name);
+  else
+    camera = scene.cameras.empty() ? frameAll(scene.bounds()) : scene.cameras.front();
+  if (request.fov) {
+    if (!(*request.fov > 0 && *request.fov < 180)) reject("--fov must be between 0 and 180 degrees");
+    camera.verticalFov = static_cast<float>(glm::radians(*request.fov));
+  }
+  return camera;
+}
+
+std::string listNames(const std::vector<std::string>& names) {
+  constexpr std::size_t most = 40;
+  std::string list;
+  for (std::size_t i = 0; i < std::min(names.size(), most); ++i) list += (i ? ", " : "") + names[i];
+  if (names.size() > most) list += " and " + std::to_string(names.size() - most) + " more";
+  return list;
+}
+
+}  // namespace halfsilver

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "apps/arguments.h"
+#include "scene/model.h"
+
+// Scenes and cameras as the command line names them.
+namespace halfsilver {
+
+// A .gltf or .glb path, or "builtin:NAME". Throws Error (badInput).
+Model loadScene(const std::string& name);
+
+// Gives materials a reflectance at normal incidence; "*" means all. Throws Error (usage) for an unknown name, listing
+// the known ones.
+void applyMirrors(Scene& scene, std::span<const MirrorArgument> mirrors);
+
+struct CameraRequest {
+  std::string name;                       // or index; empty: the scene's first
+  std::optional<glm::dvec3> eye, target;  // world coordinates; both or none
+  std::optional<double> fov;              // vertical, degrees; also changes a camera of the scene
+};
+
+// Throws Error (usage): unknown camera (listing the known ones), eye without target or equal to it, fov not between 0
+// and 180.
+Camera chooseCamera(const Scene& scene, const CameraRequest& request);
+
+// "a, b, c", shortened where it is long.
+std::string listNames(const std::vector<std::string>& names);
+
+}  // namespace halfsilver

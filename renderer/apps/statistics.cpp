@@ -1,0 +1,171 @@
+#include "apps/statistics.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+
+namespace halfsilver {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+double median(std::vector<double> values) {
+  if (values.empty()) return 0;
+  std::sort(values.begin(), values.end());
+  const std::size_t middle = values.size() / 2;
+  return values.size() % 2 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
+}
+
+StageSummary summarizeStage(const std::string& stage, const std::vector<double>& samples) {
+  std::vector<double> valid;
+  for (const double sample : samples)
+    if (sample >= 0) valid.push_back(sample);
+  // Two runs do not tell which of them is the outlier.
+  if (valid.size() >= 3)
+    std::erase_if(valid, [limit = 10 * median(valid)](double v) { return limit > 0 && v > limit; });
+  StageSummary summary{stage, median(valid), 0, 0, valid.size(), samples.size() - valid.size()};
+  if (!valid.empty()) {
+    summary.min = *std::min_element(valid.begin(), valid.end());
+    summary.max = *std::max_element(valid.begin(), valid.end());
+  }
+  return summary;
+}
+
+Json settingsJson(const Settings& settings) {
+  Json json = Json::object();
+  for (const SettingInfo& info : describe(settings)) {
+    switch (info.kind) {
+      case SettingInfo::Kind::boolean:
+        json[info.name] = info.value == "true";
+        break;
+      case SettingInfo::Kind::integer:
+        json[info.name] = std::atoi(info.value.c_str());
+        break;
+      case SettingInfo::Kind::real:
+        json[info.name] = std::atof(info.value.c_str());
+        break;
+      case SettingInfo::Kind::choice:
+        json[info.name] = info.value;
+        break;
+    }
+  }
+  return json;
+}
+
+template <class... Args>
+std::string format(const char* pattern, Args... args) {
+  char text[256];
+  std::snprintf(text, sizeof(text), pattern, args...);
+  return text;
+}
+
+std::string megabytes(std::uint64_t bytes) { return format("%.2f MB", static_cast<double>(bytes) / 1e6); }
+
+double coverage(const FrameReport& report) {
+  return report.pixels ? static_cast<double>(report.selected) / static_cast<double>(report.pixels) : 0;
+}
+
+}  // namespace
+
+std::vector<std::string> stageNames() {
+  return {"shadow", "gbuffer", "select", "voxelize", "build", "trace", "shade", "composite", "frame"};
+}
+
+void StageTimes::add(std::span<const StageTime> frame) {
+  for (const StageTime& time : frame) {
+    auto known = std::find_if(samples_.begin(), samples_.end(), [&](const auto& s) { return s.first == time.stage; });
+    if (known == samples_.end()) known = samples_.insert(samples_.end(), {time.stage, {}});
+    known->second.push_back(time.milliseconds);
+  }
+}
+
+std::vector<StageSummary> StageTimes::summarize() const {
+  std::vector<std::string> order = stageNames();
+  for (const auto& [stage, times] : samples_)
+    if (std::find(order.begin(), order.end(), stage) == order.end()) order.push_back(stage);
+  std::vector<StageSummary> result;
+  for (const std::string& stage : order) {
+    const auto found = std::find_if(samples_.begin(), samples_.end(), [&](const auto& s) { return s.first == stage; });
+    result.push_back(summarizeStage(stage, found == samples_.end() ? std::vector<double>{} : found->second));
+  }
+  return result;
+}
+
+Json toJson(const RunStatistics& s) {
+  const MemoryReport& memory = s.report.memory;
+  Json json;
+  json["device"] = {{"vendor", s.device.vendor},
+                    {"renderer", s.device.renderer},
+                    {"version", s.device.version},
+                    {"context", s.context},
+                    {"software", s.device.software}};
+  json["scene"] = {{"file", s.sceneFile},      {"triangles", s.triangles}, {"vertices", s.vertices},
+                   {"materials", s.materials}, {"textures", s.textures},   {"lights", s.lights},
+                   {"diagonal", s.diagonal}};
+  json["settings"] = settingsJson(s.settings);
+  json["pixels"] = {{"width", s.width},
+                    {"height", s.height},
+                    {"total", s.report.pixels},
+                    {"selected", s.report.selected},
+                    {"coverage", coverage(s.report)}};
+  json["memory"] = {{"voxels", memory.voxels},
+                    {"heads", memory.heads},
+                    {"pool_reserved", memory.poolReserved},
+                    {"pool_used", memory.poolUsed},
+                    {"fragments", memory.fragments},
+                    {"fragments_stored", memory.fragmentsStored},
+                    {"fragments_per_axis", memory.fragmentsPerAxis},
+                    {"bytes_per_fragment", memory.bytesPerFragment},
+                    {"structure_total", memory.structureTotal},
+                    {"gbuffer", memory.gbuffer},
+                    {"peak", memory.peak}};
+  json["time_ms"] = Json::object();
+  for (const StageSummary& stage : s.stages)
+    json["time_ms"][stage.stage] = {{"median", stage.median},
+                                    {"min", stage.min},
+                                    {"max", stage.max},
+                                    {"runs", stage.runs},
+                                    {"rejected", stage.rejected}};
+  json["wall_ms"] = Json::object();
+  for (const auto& [lap, elapsed] : s.wallMilliseconds) json["wall_ms"][lap] = elapsed;
+  json["warm_up_frames"] = s.warmUpFrames;
+  json["overflow"] = s.report.overflow;
+  json["lost_fragments"] = s.report.lostFragments;
+  json["warnings"] = s.warnings;
+  return json;
+}
+
+std::string toTable(const RunStatistics& s) {
+  const MemoryReport& memory = s.report.memory;
+  std::string table;
+  table += s.sceneFile + ", " + std::to_string(s.triangles) + " triangles, " + std::to_string(s.width) + "x" +
+           std::to_string(s.height) + ", " + s.device.renderer + " (" + s.context + ")\n";
+  table += "GPU stage       median        min        max ms   runs\n";
+  for (const StageSummary& stage : s.stages) {
+    if (stage.runs + stage.rejected == 0) continue;
+    table += format("%-11s %10.3f %10.3f %10.3f    %5zu", stage.stage.c_str(), stage.median, stage.min, stage.max,
+                    stage.runs);
+    table += stage.rejected ? format("  (%zu rejected)\n", stage.rejected) : std::string("\n");
+  }
+  table += format("coverage    %.2f %% of the pixels traced (%llu of %llu)\n", 100 * coverage(s.report),
+                  static_cast<unsigned long long>(s.report.selected), static_cast<unsigned long long>(s.report.pixels));
+  table += "memory      structure " + megabytes(memory.structureTotal) + " (voxels " + megabytes(memory.voxels) +
+           ", heads " + megabytes(memory.heads) + ", pool " + megabytes(memory.poolUsed) + " used of " +
+           megabytes(memory.poolReserved) + "), G-buffer " + megabytes(memory.gbuffer) + ", peak " +
+           megabytes(memory.peak) + "\n";
+  if (memory.fragments)
+    table += format("fragments   %llu made, %llu stored (x %llu, y %llu, z %llu), %.1f bytes each\n",
+                    static_cast<unsigned long long>(memory.fragments),
+                    static_cast<unsigned long long>(memory.fragmentsStored),
+                    static_cast<unsigned long long>(memory.fragmentsPerAxis[0]),
+                    static_cast<unsigned long long>(memory.fragmentsPerAxis[1]),
+                    static_cast<unsigned long long>(memory.fragmentsPerAxis[2]), memory.bytesPerFragment);
+  table += "wall clock ";
+  for (const auto& [lap, elapsed] : s.wallMilliseconds) table += format(" %s %.3f s,", lap.c_str(), elapsed / 1000);
+  table.back() = '\n';
+  return table;
+}
+
+std::string dump(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
+
+}  // namespace halfsilver

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstddef>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "renderer.h"
+#include "settings.h"
+
+// What a run of `render` measured, and its two forms: the statistics file and the table.
+namespace halfsilver {
+
+// The stages of the contract, in the order of the frame; always all present in the statistics.
+std::vector<std::string> stageNames();
+
+struct StageSummary {
+  std::string stage;
+  double median = 0, min = 0, max = 0;  // milliseconds, of the accepted runs
+  std::size_t runs = 0;                 // accepted
+  std::size_t rejected = 0;             // negative, or above ten times the median of three runs or more
+};
+
+// Collects the times of several frames.
+class StageTimes {
+ public:
+  void add(std::span<const StageTime> frame);
+  // All stages of the contract, then any others in order of appearance.
+  std::vector<StageSummary> summarize() const;
+
+ private:
+  std::vector<std::pair<std::string, std::vector<double>>> samples_;
+};
+
+struct RunStatistics {
+  DeviceInfo device;
+  std::string context;
+  std::string sceneFile;
+  std::size_t triangles = 0, vertices = 0, materials = 0, textures = 0, lights = 0;
+  double diagonal = 0;  // metres
+  Settings settings;
+  int width = 0, height = 0;
+  FrameReport report;  // of the last frame
+  std::vector<StageSummary> stages;
+  int warmUpFrames = 0;
+  std::vector<std::pair<std::string, double>> wallMilliseconds;
+  std::vector<std::string> warnings;
+};
+
+nlohmann::ordered_json toJson(const RunStatistics& statistics);
+
+// The aligned table that `render` prints; ends with a newline.
+std::string toTable(const RunStatistics& statistics);
+
+// Text of a JSON value for a file or the screen; bytes that are not UTF-8 are replaced.
+std::string dump(const nlohmann::ordered_json& json);
+
+}  // namespace halfsilver
