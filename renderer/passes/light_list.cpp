@@ -20,10 +20,11 @@ constexpr int kSkyTiles = 4;
 constexpr int kLeastTile = 64;
 // Texels around a fitted view that the filter may reach.
 constexpr int kMargin = 4;
-// Mean reflectance that is assumed for light which reaches a surface by way of others.
-constexpr float kAlbedo = 0.4f;
+// Light that reaches a surface by way of others, for a mean reflectance of 0.4: once, twice and so on sum up to
+// 0.4 / (1 - 0.4) of the direct light.
+constexpr float kBounced = 0.67f;
 // Share of the bounced light that also reaches places which see no sky.
-constexpr float kSteadyBounce = 0.35f;
+constexpr float kSteadyBounce = 0.4f;
 
 std::array<vec3, 8> corners(const Bounds& bounds) {
   std::array<vec3, 8> all;
@@ -250,7 +251,7 @@ LightList makeLightList(const Bounds& sceneBounds, std::span<const Light> lights
   // Light that other surfaces send on: most of it from below, a third as much from above. A black sky asks for direct
   // light alone.
   const bool black = skyLight.upper == vec3(0) && skyLight.lower == vec3(0);
-  const vec3 bounce = black ? vec3(0) : kAlbedo * meanIrradiance(bounds, lights);
+  const vec3 bounce = black ? vec3(0) : kBounced * meanIrradiance(bounds, lights);
   addHemisphere(list, -up, skyLight.lower + bounce, kSteadyBounce);
   addHemisphere(list, up, bounce / 3.0f, kSteadyBounce);
   return list;

@@ -1,0 +1,213 @@
+#include <cmath>
+#include <cstring>
+#include <glm/gtc/constants.hpp>
+
+#include "gpu/light_fixture.h"
+
+namespace halfsilver::testing {
+namespace {
+
+using glm::vec3;
+using glm::vec4;
+constexpr std::size_t kQueue = 8;  // rays that fit
+
+float bits(std::uint32_t value) {
+  float f = 0;
+  std::memcpy(&f, &value, sizeof(f));
+  return f;
+}
+std::uint32_t bits(float value) {
+  std::uint32_t u = 0;
+  std::memcpy(&u, &value, sizeof(u));
+  return u;
+}
+
+// Rays and their hits made by hand, on a quad in the plane y = 0 (triangles 0 and 1) whose light is emission alone.
+class ShadeHitsTest : public LightTest {
+ protected:
+  void setUp(const Material& material) {
+    scene_ = Scene();
+    addQuad(scene_, vec3(0), {4, 0, 0}, {0, 0, -4}, addMaterial(scene_, material));
+    scene_.sky = evenSky(vec3(0.25f, 0.5f, 1));
+    settings.shadow.skyDirections = 0;
+    Camera camera;
+    camera.eye = {0, 8, 8};
+    draw(scene_, camera, 4, 2);
+  }
+
+  shared::Ray ray(std::uint32_t pixel, const vec3& origin, const vec3& direction, const vec3& throughput = vec3(1)) {
+    return {vec4(origin, bits(pixel)), vec4(glm::normalize(direction), bits(NO_TRIANGLE)), vec4(throughput, 5.0f)};
+  }
+
+  RayQueue makeQueue(const std::vector<shared::Ray>& rays) {
+    RayQueue queue;
+    queue.capacity = kQueue;
+    queue.rays = gl::Buffer(api, kQueue * sizeof(shared::Ray), "rays");
+    queue.count = gl::Buffer(api, sizeof(shared::RayCount), "count");
+    queue.rays.write(std::span<const shared::Ray>(rays));
+    const shared::RayCount count[] = {{1, 1, 1, static_cast<std::uint32_t>(rays.size()), 0, 0, 0, 0}};
+    queue.count.write(std::span<const shared::RayCount>(count));
+    return queue;
+  }
+
+  void shade(const RayQueue& queue, const std::vector<shared::Hit>& found, RayQueue* next = nullptr,
+             const std::vector<shared::HitSurface>& surfaces = {}) {
+    Hits hits;
+    hits.hits = gl::makeBuffer(api, std::span<const shared::Hit>(found), "hits");
+    if (!surfaces.empty()) hits.surfaces = gl::makeBuffer(api, std::span<const shared::HitSurface>(surfaces), "s");
+    hitsPass.run(queue, hits, gbuffer, next, profiler);
+  }
+
+  vec4 reflection(int x, int y) { return pixels(gbuffer.reflection)[static_cast<std::size_t>(4 * y + x)]; }
+
+  static void expectColor(const vec4& found, const vec3& expected) {
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(found[c], expected[c], 2e-3f) << "channel " << c;
+  }
+
+  Scene scene_;
+  const vec3 sky_{0.25f, 0.5f, 1};
+};
+
+Material glowing(Material material, const vec3& color) {
+  material.emissive = color;
+  return material;
+}
+
+const shared::Hit kMiss{HIT_MISS, NO_TRIANGLE, 0, 0};
+const shared::Hit kOverflow{HIT_OVERFLOW, NO_TRIANGLE, 0, 0};
+
+TEST_F(ShadeHitsTest, MissShowsTheSkyAndOverflowLeavesThePixelUntraced) {
+  setUp(diffuse(vec3(1)));
+  const RayQueue queue = makeQueue(
+      {ray(2, {0, 1, 0}, {1, 1, 0}), ray(5, {0, 1, 0}, {1, 1, 0}, vec3(0.5f, 1, 0)), ray(6, {0, 1, 0}, {0, 1, 0})});
+  shade(queue, {kMiss, kMiss, kOverflow});
+  expectColor(reflection(2, 0), sky_);
+  EXPECT_EQ(reflection(2, 0).w, 1);
+  expectColor(reflection(1, 1), sky_ * vec3(0.5f, 1, 0));
+  EXPECT_EQ(reflection(2, 1), vec4(0));  // given up
+  EXPECT_EQ(reflection(0, 0), vec4(0));  // no ray
+}
+
+TEST_F(ShadeHitsTest, HitOnADullSurfaceShowsItsLight) {
+  setUp(glowing(diffuse(vec3(0)), {0.9f, 0.3f, 0.1f}));
+  const RayQueue queue = makeQueue({ray(0, {0, 1, 0}, {1, -1, 0}, vec3(0.5f))});
+  RayQueue next = makeQueue({});
+  shade(queue, {{std::sqrt(2.0f), 0, 0.3f, 0.3f}}, &next);
+  expectColor(reflection(0, 0), 0.5f * vec3(0.9f, 0.3f, 0.1f));
+  EXPECT_EQ(reflection(0, 0).w, 1);
+  EXPECT_EQ(next.count.read<shared::RayCount>(1)[0].count, 0u);
+}
+
+TEST_F(ShadeHitsTest, LitHitEqualsTheDeferredPixel) {
+  Material material;
+  material.baseColor = {0.7f, 0.5f, 0.2f, 1};
+  material.metallic = 0.3f;
+  material.roughness = 0.5f;
+  setUp(material);
+  scene_.lights = {sun({1, -2, 0.5f}, 3)};
+  settings.shadow.skyDirections = 12;
+  const vec3 eye(1, 2, 1.5f), target(0.4f, 0, 0.3f);
+  const vec4 deferred = shadeAt(scene_, eye, target);
+  const std::vector<vec4> blended = composite(CompositePass::Output::linear);
+  const vec3 view = glm::normalize(target - eye);
+  // Barycentrics of the point in the first triangle (-4, 4), (4, 4), (4, -4).
+  const float u = (target.x + 4) / 8 - (4 - target.z) / 8, v = (4 - target.z) / 8;
+  ASSERT_GE(u, 0);
+  shade(makeQueue({ray(0, eye, view)}), {{glm::distance(eye, target), 0, u, v}});
+  const vec4 found = pixels(gbuffer.reflection)[0];
+  EXPECT_GT(glm::length(vec3(deferred)), 0.3f);
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(found[c], middle(blended)[c], 2e-3f);
+}
+
+// W = 1: nothing of the surface's own light. W = 0.5: half of each.
+TEST_F(ShadeHitsTest, LastBounceReflectsTheSky) {
+  setUp(glowing(mirror(1), vec3(7)));
+  shade(makeQueue({ray(0, {0, 2, 0}, {0, -1, 0})}), {{2, 0, 0.25f, 0.5f}});
+  expectColor(reflection(0, 0), sky_);
+  setUp(glowing(mirror(0.5f), vec3(3)));
+  shade(makeQueue({ray(0, {0, 2, 0}, {0, -1, 0})}), {{2, 0, 0.25f, 0.5f}});
+  expectColor(reflection(0, 0), 0.5f * vec3(3) + 0.5f * sky_);
+}
+
+TEST_F(ShadeHitsTest, SecondBounceIsSentOnAndAdded) {
+  setUp(glowing(mirror(0.5f), vec3(3)));
+  const vec3 direction = glm::normalize(vec3(1, -1, 0.5f));
+  const float t = 2 / -direction.y;
+  const vec3 hit = vec3(0, 2, 0) + t * direction;
+  const float u = (hit.x + 4) / 8 - (4 - hit.z) / 8, v = (4 - hit.z) / 8;
+  ASSERT_GE(u, 0);
+  RayQueue next = makeQueue({});
+  shade(makeQueue({ray(0, {0, 2, 0}, direction), ray(3, {0, 2, 0}, {0, 1, 0}),
+                   ray(5, {0, 2, 0}, direction, vec3(0, 0.5f, 1))}),
+        {{t, 0, u, v}, kMiss, {t, 0, u, v}}, &next);
+  const float cosine = -direction.y;
+  const float share = 0.5f + 0.5f * std::pow(1 - cosine, 5.0f);
+  expectColor(reflection(0, 0), vec3((1 - share) * 3));
+
+  const shared::RayCount count = next.count.read<shared::RayCount>(1)[0];
+  ASSERT_EQ(count.count, 2u);
+  EXPECT_EQ(count.groupsX, 1u);
+  EXPECT_EQ(count.groupsY, 1u);
+  EXPECT_EQ(count.groupsZ, 1u);
+  for (const shared::Ray& sent : next.rays.read<shared::Ray>(2)) {
+    const bool first = bits(sent.originPixel.w) == 0;
+    EXPECT_TRUE(first || bits(sent.originPixel.w) == 5);
+    EXPECT_LT(glm::distance(vec3(sent.originPixel), hit), 1e-5f);
+    EXPECT_LT(glm::distance(vec3(sent.directionExclude), direction * vec3(1, -1, 1)), 1e-5f);
+    EXPECT_EQ(bits(sent.directionExclude.w), 0u);
+    const vec3 throughput = share * (first ? vec3(1) : vec3(0, 0.5f, 1));
+    EXPECT_LT(glm::distance(vec3(sent.throughput), throughput), 1e-5f);
+    EXPECT_NEAR(sent.throughput.w, 5 + t, 1e-4f);
+  }
+
+  shade(next, {kMiss, kOverflow});
+  const bool firstMissed = bits(next.rays.read<shared::Ray>(1)[0].originPixel.w) == 0;
+  const vec4 missed = firstMissed ? reflection(0, 0) : reflection(1, 1);
+  const vec3 throughput = firstMissed ? vec3(1) : vec3(0, 0.5f, 1);
+  expectColor(missed, throughput * ((1 - share) * 3 + share * sky_));
+}
+
+TEST_F(ShadeHitsTest, NoRayBelowTheThreshold) {
+  settings.select.minReflectivity = 0.6f;
+  setUp(glowing(mirror(0.5f), vec3(3)));
+  RayQueue next = makeQueue({});
+  shade(makeQueue({ray(0, {0, 2, 0}, {0, -1, 0})}), {{2, 0, 0.25f, 0.5f}}, &next);
+  EXPECT_EQ(next.count.read<shared::RayCount>(1)[0].count, 0u);
+  EXPECT_EQ(next.count.read<shared::RayCount>(1)[0].groupsX, 0u);
+  expectColor(reflection(0, 0), 0.5f * vec3(3) + 0.5f * sky_);
+}
+
+TEST_F(ShadeHitsTest, UnlitHitIsItsColour) {
+  Material material = diffuse({0.2f, 0.4f, 0.6f});
+  material.unlit = true;
+  material.roughness = 0;
+  setUp(material);
+  RayQueue next = makeQueue({});
+  shade(makeQueue({ray(0, {0, 2, 0}, {0, -1, 0})}), {{2, 0, 0.25f, 0.5f}}, &next);
+  expectColor(reflection(0, 0), {0.2f, 0.4f, 0.6f});
+  EXPECT_EQ(next.count.read<shared::RayCount>(1)[0].count, 0u);
+}
+
+// Colour, normal and reflectivity come from the method's store, whatever the triangle says.
+TEST_F(ShadeHitsTest, StoredSurfacesReplaceTheTrianglesOwn) {
+  Material material = diffuse(vec3(1));
+  material.metallic = 1;
+  material.roughness = 0.2f;
+  settings.select.maxRoughness = 0.4f;
+  setUp(material);
+  const vec3 metal(0.8f, 0.4f, 0.2f);
+  const float luminance = glm::dot(metal, vec3(0.2126f, 0.7152f, 0.0722f));
+  const shared::HitSurface stored{vec4(metal, 0), vec4(glm::normalize(vec3(1, 1, 0)), luminance * 0.5f)};
+  RayQueue next = makeQueue({});
+  shade(makeQueue({ray(0, {0, 2, 0}, {0, -1, 0})}), {{2, 1, 0, 0}}, &next, {stored});
+  ASSERT_EQ(next.count.read<shared::RayCount>(1)[0].count, 1u);
+  const shared::Ray sent = next.rays.read<shared::Ray>(1)[0];
+  EXPECT_LT(glm::distance(vec3(sent.directionExclude), vec3(1, 0, 0)), 1e-5f);
+  EXPECT_LT(glm::distance(vec3(sent.originPixel), vec3(0)), 1e-5f);
+  const vec3 fresnel = metal + (1.0f - metal) * std::pow(1 - std::sqrt(0.5f), 5.0f);
+  EXPECT_LT(glm::distance(vec3(sent.throughput), 0.5f * fresnel), 1e-4f);
+  EXPECT_EQ(bits(sent.directionExclude.w), 1u);
+}
+
+}  // namespace
+}  // namespace halfsilver::testing
