@@ -75,7 +75,7 @@ class ExactTracer final : public Tracer {
   }
 
   void build(const GpuScene&, const RayQueue&, gl::Profiler& profiler) override {
-    const auto scope = profiler.section("build");
+    const auto scope = profiler.hostSection("build");
     embreeScene_.reset(rtcNewScene(device_.get()));
     rtcSetSceneFlags(embreeScene_.get(), RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
     RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
@@ -93,7 +93,7 @@ class ExactTracer final : public Tracer {
   }
 
   void trace(const GpuScene& scene, const RayQueue& rays, Hits& hits, gl::Profiler& profiler) override {
-    const auto scope = profiler.section("trace");
+    const auto scope = profiler.hostSection("trace");
     const auto count = rays.count.read<shared::RayCount>(1)[0].count;
     const std::vector<Ray> queue = rays.rays.read<Ray>(count);
     std::vector<Hit> results(count);

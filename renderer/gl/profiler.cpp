@@ -11,10 +11,8 @@ constexpr double kAbsurdMilliseconds = 3600.0 * 1000.0;
 }  // namespace
 
 Profiler::~Profiler() {
-  for (Entry& entry : entries_) {
-    free_.push_back(entry.begin);
-    free_.push_back(entry.end);
-  }
+  for (const Entry& entry : entries_)
+    if (entry.begin != 0) free_.insert(free_.end(), {entry.begin, entry.end});
   if (!free_.empty()) api_->DeleteQueries(static_cast<GLsizei>(free_.size()), free_.data());
 }
 
@@ -32,7 +30,7 @@ GLuint Profiler::stamp() {
 Profiler::Scope::Scope(Profiler& profiler, std::string_view name)
     : profiler_(profiler), index_(profiler.entries_.size()) {
   profiler_.api_->PushDebugGroup(GL_DEBUG_SOURCE_APPLICATION, 0, static_cast<GLsizei>(name.size()), name.data());
-  profiler_.entries_.push_back({std::string(name), profiler_.stamp(), 0});
+  profiler_.entries_.push_back({std::string(name), profiler_.stamp(), 0, 0});
 }
 
 Profiler::Scope::~Scope() {
@@ -40,15 +38,32 @@ Profiler::Scope::~Scope() {
   profiler_.api_->PopDebugGroup();
 }
 
+Profiler::HostScope::HostScope(Profiler& profiler, std::string_view name)
+    : profiler_(profiler), index_(profiler.entries_.size()) {
+  profiler_.api_->Finish();
+  profiler_.entries_.push_back({std::string(name), 0, 0, 0});
+  begin_ = std::chrono::steady_clock::now();
+}
+
+Profiler::HostScope::~HostScope() {
+  profiler_.entries_[index_].hostMilliseconds =
+      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin_).count();
+}
+
+double Profiler::elapsed(const Entry& entry) {
+  if (entry.begin == 0) return entry.hostMilliseconds;
+  GLuint64 begin = 0, end = 0;
+  api_->GetQueryObjectui64v(entry.begin, GL_QUERY_RESULT, &begin);
+  api_->GetQueryObjectui64v(entry.end, GL_QUERY_RESULT, &end);
+  free_.push_back(entry.begin);
+  free_.push_back(entry.end);
+  return end >= begin ? static_cast<double>(end - begin) * 1e-6 : -1;
+}
+
 std::vector<SectionTime> Profiler::collect() {
   std::vector<SectionTime> times;
   for (const Entry& entry : entries_) {
-    GLuint64 begin = 0, end = 0;
-    api_->GetQueryObjectui64v(entry.begin, GL_QUERY_RESULT, &begin);
-    api_->GetQueryObjectui64v(entry.end, GL_QUERY_RESULT, &end);
-    free_.push_back(entry.begin);
-    free_.push_back(entry.end);
-    const double milliseconds = end >= begin ? static_cast<double>(end - begin) * 1e-6 : -1;
+    const double milliseconds = elapsed(entry);
     const bool absurd = milliseconds < 0 || milliseconds > kAbsurdMilliseconds;
     const auto known =
         std::find_if(times.begin(), times.end(), [&](const SectionTime& time) { return time.name == entry.name; });

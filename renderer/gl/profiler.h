@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -36,16 +37,33 @@ class Profiler {
   // Ends with the returned object's lifetime.
   [[nodiscard]] Scope section(std::string_view name) { return Scope(*this, name); }
 
+  // The same for work on the host: waits for the GPU, then takes the host's clock.
+  class HostScope {
+   public:
+    HostScope(Profiler& profiler, std::string_view name);
+    ~HostScope();
+    HostScope(const HostScope&) = delete;
+    HostScope& operator=(const HostScope&) = delete;
+
+   private:
+    Profiler& profiler_;
+    std::size_t index_;
+    std::chrono::steady_clock::time_point begin_;
+  };
+  [[nodiscard]] HostScope hostSection(std::string_view name) { return HostScope(*this, name); }
+
   // Times of all sections since the last call, in order of their first begin. Waits for the GPU.
   std::vector<SectionTime> collect();
 
  private:
-  GLuint stamp();
-
   struct Entry {
     std::string name;
-    GLuint begin = 0, end = 0;
+    GLuint begin = 0, end = 0;  // queries; 0 for work on the host
+    double hostMilliseconds = 0;
   };
+  GLuint stamp();
+  double elapsed(const Entry& entry);
+
   const Api* api_;
   std::vector<Entry> entries_;
   std::vector<GLuint> free_;
