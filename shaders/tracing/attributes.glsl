@@ -37,7 +37,7 @@ Sample sampleAt(TraceRay ray, Slab slab, float t, ivec2 texel, inout int work) {
   bool going = it.entry != noCursor;
   while (going) {
     float depth = imageLoad(pool, int(it.entry) * ENTRY_TEXELS).w;
-    if (depth >= slab.depths.x && depth <= slab.depths.y) {
+    when (depth >= slab.depths.x && depth <= slab.depths.y) {
       vec4 packed = imageLoad(pool, int(it.entry) * ENTRY_TEXELS + 1);
       if (counts(ray, unpackNormalReflectivity(packed), uint(packed.w))) {
         ++s.total;
@@ -110,7 +110,7 @@ void searchBuffer(TraceRay ray, int axis, float begin, float end, inout Hit best
   for (int i = 1; i <= LINEAR_STEPS; ++i) {
     float t = begin + (end - begin) * float(i) / float(LINEAR_STEPS);
     Sample next = sampleAt(ray, slab, t, texelAt(ray, axis, t), work);
-    if (crossed(last, next)) refine(ray, slab, last, next, best, work);
+    when (crossed(last, next)) refine(ray, slab, last, next, best, work);
     if (best.t < known) break;
     last = next;
   }
@@ -123,7 +123,7 @@ void searchBuffer(TraceRay ray, int axis, float begin, float end, inout Hit best
     // The middle of the texel's stretch; in the last texel its end, so that the whole stretch is looked at.
     float t = leave < end ? 0.5 * (enter + leave) : end;
     Sample next = sampleAt(ray, slab, max(t, last.t), walk.texel, work);
-    if (crossed(last, next)) refine(ray, slab, last, next, best, work);
+    when (crossed(last, next)) refine(ray, slab, last, next, best, work);
     last = next;
     enter = leave;
     going = !cut && best.t >= known && leave < end && stepTexelWalk(walk);
@@ -134,8 +134,7 @@ void searchBuffer(TraceRay ray, int axis, float begin, float end, inout Hit best
 
 // The first surface found ends the search: one surface a voxel is the methods' assumption.
 bool searchVoxel(TraceRay ray, uint mask, float begin, float end, inout Hit best, inout int work) {
-  for (int axis = 0; axis < 3; ++axis)
-    if ((mask & (1u << uint(axis))) != 0u) searchBuffer(ray, axis, begin, end, best, work);
+  for (uint left = mask; left != 0u; left &= left - 1u) searchBuffer(ray, findLSB(left), begin, end, best, work);
   return best.t < farAway;
 }
 

@@ -3,6 +3,7 @@
 #include "shared/bindings.h"
 #include "shared/structs.h"
 #include "lib/frame.glsl"
+#include "lib/when.glsl"
 #include "lib/scene.glsl"
 #include "lib/textures.glsl"
 #include "lib/alpha.glsl"
@@ -24,21 +25,27 @@ layout(location = 0) flat in uint inTriangle;
 layout(location = 1) flat in int inAxis;
 layout(location = 2) in vec3 inBarycentricsDepth;
 
+// Whether this A-buffer is that of the fragment's voxel.
+bool wanted(ivec2 texel, float depth) {
+  ivec3 cell = ivec3(texel * voxelResolution / bufferResolution,
+                     clamp(int(floor(depth * float(voxelResolution))), 0, voxelResolution - 1));
+  return (voxelMask(ivec3(unpermute(vec3(cell), inAxis))) & (1u << uint(inAxis))) != 0u;
+}
+
 void main() {
   vec2 barycentrics = inBarycentricsDepth.xy;
-  if (cutAway(inTriangle, barycentrics)) return;
-  ivec2 texel = ivec2(gl_FragCoord.xy);
-  countAt(COUNTER_FRAGMENTS, texel);
   float depth = inBarycentricsDepth.z;
-  if (storeAll == 0) {
-    ivec3 cell = ivec3(texel * voxelResolution / bufferResolution,
-                       clamp(int(floor(depth * float(voxelResolution))), 0, voxelResolution - 1));
-    if ((voxelMask(ivec3(unpermute(vec3(cell), inAxis))) & (1u << uint(inAxis))) == 0u) return;
+  ivec2 texel = ivec2(gl_FragCoord.xy);
+  bool covered = true;
+  when ((materials[triangleAt(inTriangle).w].flags & MATERIAL_CUT) != 0u) covered = !cutAway(inTriangle, barycentrics);
+  if (covered) countAt(COUNTER_FRAGMENTS, texel);
+  when (covered && (storeAll == 1 || wanted(texel, depth))) {
+    uint entry = reserveEntry(headIndex(inAxis, texel));
+    when (entry != noEntry) {
+      StoredSurface surface = evaluateStoredSurface(inTriangle, barycentrics, texelSize);
+      imageStore(pool, int(entry) * ENTRY_TEXELS, vec4(surface.baseColor, depth));
+      imageStore(pool, int(entry) * ENTRY_TEXELS + 1, packNormal(surface.normal, surface.reflectivity, inTriangle));
+      countAt(COUNTER_STORED_X + uint(inAxis), texel);
+    }
   }
-  uint entry = reserveEntry(headIndex(inAxis, texel));
-  if (entry == noEntry) return;
-  StoredSurface surface = evaluateStoredSurface(inTriangle, barycentrics, texelSize);
-  imageStore(pool, int(entry) * ENTRY_TEXELS, vec4(surface.baseColor, depth));
-  imageStore(pool, int(entry) * ENTRY_TEXELS + 1, packNormal(surface.normal, surface.reflectivity, inTriangle));
-  countAt(COUNTER_STORED_X + uint(inAxis), texel);
 }

@@ -6,16 +6,18 @@
 layout(std430, binding = SSBO_ENTRIES) readonly buffer EntryBlock { uvec2 entries[]; };
 
 void testCandidate(TraceRay ray, uint triangle, inout Hit best) {
-  if (triangle == ray.excluded) return;
   vec3 a, b, c;
   trianglePositions(triangle, a, b, c);
   vec3 tuv;
   bool back;
-  if (!intersectTriangle(ray.shear, ray.origin, a, b, c, tuv, back)) return;
-  if (tuv.x < ray.least || tuv.x > best.t || (tuv.x == best.t && triangle >= best.triangle)) return;
-  if (back && !doubleSided(triangleAt(triangle).w)) return;
-  if (cutAway(triangle, tuv.yz)) return;
-  best = Hit(tuv.x, triangle, tuv.y, tuv.z);
+  bool met = intersectTriangle(ray.shear, ray.origin, a, b, c, tuv, back);
+  bool nearer = tuv.x >= ray.least && (tuv.x < best.t || (tuv.x == best.t && triangle < best.triangle));
+  when (met && nearer) {
+    uint material = triangleAt(triangle).w;
+    bool visible = !back || doubleSided(material);
+    when (visible && (materials[material].flags & MATERIAL_CUT) != 0u) visible = !cutAway(triangle, tuv.yz);
+    if (visible) best = Hit(tuv.x, triangle, tuv.y, tuv.z);
+  }
 }
 
 // Looks at what the A-buffer of `axis` holds along the ray from `begin` to `end`. `best.t` starts at a large number.
@@ -31,7 +33,8 @@ void searchBuffer(TraceRay ray, int axis, float begin, float end, inout Hit best
     while (it.entry != noCursor) {
       uvec2 entry = entries[it.entry];
       vec2 range = identityDepths(entry);
-      if (range.x <= depths.y && range.y >= depths.x) testCandidate(ray, entry.x, best);
+      when (range.x <= depths.y && range.y >= depths.x && entry.x != ray.excluded)
+        testCandidate(ray, entry.x, best);
       nextEntry(it);
       ++work;
     }
@@ -46,8 +49,7 @@ void searchBuffer(TraceRay ray, int axis, float begin, float end, inout Hit best
 
 // True when the ray's nearest hit is known: it lies before `end`.
 bool searchVoxel(TraceRay ray, uint mask, float begin, float end, inout Hit best, inout int work) {
-  for (int axis = 0; axis < 3; ++axis)
-    if ((mask & (1u << uint(axis))) != 0u) searchBuffer(ray, axis, begin, end, best, work);
+  for (uint left = mask; left != 0u; left &= left - 1u) searchBuffer(ray, findLSB(left), begin, end, best, work);
   return best.t <= end;
 }
 

@@ -2,6 +2,7 @@
 #include "shared/bindings.h"
 #include "shared/structs.h"
 #include "lib/frame.glsl"
+#include "lib/when.glsl"
 #include "lib/scene.glsl"
 #include "tracing/grid.glsl"
 #include "tracing/texel_overlap.glsl"
@@ -41,13 +42,14 @@ void main() {
   trianglePositions(inTriangle, a, b, c);
   ivec2 texel = ivec2(gl_FragCoord.xy);
   vec2 depths;
-  if (!touchesTexel(permute(toGrid(a), inAxis), permute(toGrid(b), inAxis), permute(toGrid(c), inAxis), texel,
-                    float(bufferResolution), depths))
-    return;
-  countAt(COUNTER_FRAGMENTS, texel);
-  if (!wanted(texel, depths)) return;
-  uint entry = reserveEntry(headIndex(inAxis, texel));
-  if (entry == noEntry) return;
-  entries[entry] = packIdentity(inTriangle, depths);
-  countAt(COUNTER_STORED_X + uint(inAxis), texel);
+  bool touches = touchesTexel(permute(toGrid(a), inAxis), permute(toGrid(b), inAxis), permute(toGrid(c), inAxis), texel,
+                              float(bufferResolution), depths);
+  if (touches) countAt(COUNTER_FRAGMENTS, texel);
+  when (touches && wanted(texel, depths)) {
+    uint entry = reserveEntry(headIndex(inAxis, texel));
+    if (entry != noEntry) {
+      entries[entry] = packIdentity(inTriangle, depths);
+      countAt(COUNTER_STORED_X + uint(inAxis), texel);
+    }
+  }
 }

@@ -34,7 +34,7 @@ bool intersectTriangle(RayShear shear, vec3 origin, vec3 a, vec3 b, vec3 c, out 
   precise float u = qc.x * qb.y - qc.y * qb.x;
   precise float v = qa.x * qc.y - qa.y * qc.x;
   precise float w = qb.x * qa.y - qb.y * qa.x;
-  if (u == 0.0 || v == 0.0 || w == 0.0) {
+  when (u == 0.0 || v == 0.0 || w == 0.0) {
     // On an edge within float: decide in double, as both neighbours will.
     u = float(double(qc.x) * double(qb.y) - double(qc.y) * double(qb.x));
     v = float(double(qa.x) * double(qc.y) - double(qa.y) * double(qc.x));

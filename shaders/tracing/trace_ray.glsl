@@ -3,6 +3,7 @@
 #include "shared/bindings.h"
 #include "shared/structs.h"
 #include "lib/frame.glsl"
+#include "lib/when.glsl"
 #include "lib/scene.glsl"
 #include "lib/textures.glsl"
 #include "lib/alpha.glsl"
@@ -61,7 +62,7 @@ void traceRay(uint index) {
   while (going) {
     float leave = max(t, min(voxelExit(walk), range.y));
     uint mask = voxelMask(walk.voxel);
-    bool found = mask != 0u && searchVoxel(ray, mask, t, leave, best, work);
+    bool found = searchVoxel(ray, mask, t, leave, best, work);
     going = !found && !cut && leave < range.y && stepVoxelWalk(ray, walk);
     if (going) {
       t = leave;

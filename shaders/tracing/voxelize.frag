@@ -4,6 +4,7 @@
 #include "shared/bindings.h"
 #include "shared/structs.h"
 #include "lib/frame.glsl"
+#include "lib/when.glsl"
 #include "lib/scene.glsl"
 #include "tracing/grid.glsl"
 #include "tracing/triangle_normal.glsl"
@@ -48,13 +49,12 @@ void main() {
 #ifdef CONSERVATIVE
   // The raster is the voxel grid's own.
   vec2 depths;
-  if (!touchesTexel(permute(toGrid(a), inAxis), permute(toGrid(b), inAxis), permute(toGrid(c), inAxis), texel,
-                    float(rasterResolution), depths))
-    return;
+  bool touches = touchesTexel(permute(toGrid(a), inAxis), permute(toGrid(b), inAxis), permute(toGrid(c), inAxis), texel,
+                              float(rasterResolution), depths);
   int first = int(floor(depths.x * float(voxelResolution) - overlapSlack));
   int last = int(floor(depths.y * float(voxelResolution) + overlapSlack));
   first = clamp(first, 0, voxelResolution - 1);
-  last = clamp(last, 0, voxelResolution - 1);
+  last = touches ? clamp(last, 0, voxelResolution - 1) : -1;
   for (int depth = first; depth <= last; ++depth)
     storeVoxel(ivec3(unpermute(vec3(texel, depth), inAxis)), a, b, c);
 #else
