@@ -1,0 +1,77 @@
+// Draws one triangle with the installed library and checks that it is there. Exits with 77 where there is no context.
+#include <halfsilver/context/context.h>
+#include <halfsilver/core/error.h>
+#include <halfsilver/gl/framebuffer.h>
+#include <halfsilver/renderer.h>
+
+#include <cstdio>
+#include <glm/glm.hpp>
+
+namespace {
+
+constexpr int kWidth = 64, kHeight = 48;
+
+// A red triangle without light in front of a blue sky.
+halfsilver::Scene makeScene() {
+  halfsilver::Scene scene;
+  for (const glm::vec3& position : {glm::vec3(-1, -1, 0), glm::vec3(1, -1, 0), glm::vec3(0, 1, 0)}) {
+    halfsilver::Vertex vertex;
+    vertex.position = position;
+    vertex.normal = {0, 0, 1};
+    scene.vertices.push_back(vertex);
+  }
+  scene.triangles.push_back({{0, 1, 2}, 0});
+  halfsilver::Material red;
+  red.baseColor = {1, 0, 0, 1};
+  red.unlit = true;
+  scene.materials.push_back(red);
+  scene.sky.zenith = scene.sky.horizon = scene.sky.ground = {0, 0, 1};
+  return scene;
+}
+
+glm::vec3 pixel(const halfsilver::Image& image, int x, int y) {
+  const auto value = [&](const char* name) {
+    const int index = (y * image.width + x) * image.channelCount() + image.channel(name);
+    return image.data[static_cast<std::size_t>(index)];
+  };
+  return {value("R"), value("G"), value("B")};
+}
+
+bool near(const glm::vec3& color, const glm::vec3& expected) { return glm::length(color - expected) < 0.02f; }
+
+int run() {
+  const halfsilver::Context context = halfsilver::makeContext(halfsilver::ContextKind::automatic);
+  halfsilver::Renderer renderer(context.getProcAddress());
+  const halfsilver::Scene scene = makeScene();
+  renderer.setScene(scene);
+
+  halfsilver::Camera camera;
+  camera.eye = {0, 0, 4};
+  halfsilver::Settings settings;
+  halfsilver::set(settings, "trace.method", "identity");
+
+  // Any framebuffer object will do; without a window the caller makes one.
+  halfsilver::gl::Api gl = halfsilver::gl::Api::load(context.getProcAddress());
+  const halfsilver::gl::Texture color(gl, {.format = GL_RGBA8, .width = kWidth, .height = kHeight}, "color");
+  const halfsilver::gl::Framebuffer framebuffer(gl);
+  framebuffer.attach(GL_COLOR_ATTACHMENT0, color);
+  const halfsilver::FrameReport& report =
+      renderer.render(camera, settings, {framebuffer.name(), 0, 0, kWidth, kHeight});
+
+  const halfsilver::Image layers = renderer.readLayers();
+  const glm::vec3 center = pixel(layers, kWidth / 2, kHeight / 2), corner = pixel(layers, 1, 1);
+  std::printf("%s: %d pixels, triangle %.2f %.2f %.2f, sky %.2f %.2f %.2f\n", renderer.device().renderer.c_str(),
+              static_cast<int>(report.pixels), center.x, center.y, center.z, corner.x, corner.y, corner.z);
+  return near(center, {1, 0, 0}) && near(corner, {0, 0, 1}) ? 0 : 1;
+}
+
+}  // namespace
+
+int main() {
+  try {
+    return run();
+  } catch (const halfsilver::Error& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return error.kind() == halfsilver::ErrorKind::noContext ? 77 : 1;
+  }
+}
