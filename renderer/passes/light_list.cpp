@@ -20,11 +20,11 @@ constexpr int kSkyTiles = 4;
 constexpr int kLeastTile = 64;
 // Texels around a fitted view that the filter may reach.
 constexpr int kMargin = 4;
-// Light that reaches a surface by way of others, for a mean reflectance of 0.4: once, twice and so on sum up to
-// 0.4 / (1 - 0.4) of the direct light.
-constexpr float kBounced = 0.67f;
+// Light that reaches a surface by way of others, for a mean reflectance of 0.35: once, twice and so on sum up to
+// 0.35 / (1 - 0.35) of the direct light.
+constexpr float kBounced = 0.54f;
 // Share of the bounced light that also reaches places which see no sky.
-constexpr float kSteadyBounce = 0.4f;
+constexpr float kSteadyBounce = 0.5f;
 
 std::array<vec3, 8> corners(const Bounds& bounds) {
   std::array<vec3, 8> all;

@@ -27,13 +27,16 @@ vec3 blended(ivec2 pixel) {
 }
 
 #ifndef LINEAR
-// Exact up to `KNEE`, then an exponential shoulder with the same slope that ends at 1. It works on the largest
-// component and keeps the ratios, so hues do not turn; what the shoulder compresses fades towards white instead.
-const float KNEE = 0.5;
+// A little contrast around PIVOT, channel by channel; above it an exponential shoulder that begins with slope 1 and
+// ends at white. The shoulder works on the largest component and keeps the ratios, so hues do not turn; what it
+// compresses fades towards white instead.
+const float PIVOT = 0.3;
+const float CONTRAST = 1.12;
 vec3 filmic(vec3 radiance) {
+  radiance = PIVOT * pow(radiance / PIVOT, vec3(CONTRAST));
   float peak = max(max(radiance.r, radiance.g), radiance.b);
-  if (peak <= KNEE) return radiance;
-  float mapped = 1.0 - (1.0 - KNEE) * exp(-(peak - KNEE) / (1.0 - KNEE));
+  if (peak <= PIVOT) return radiance;
+  float mapped = 1.0 - (1.0 - PIVOT) * exp(-(peak - PIVOT) / (1.0 - PIVOT));
   float whiteness = 1.0 - 1.0 / (1.0 + 0.15 * (peak - mapped));
   return mix(radiance * (mapped / peak), vec3(mapped), whiteness);
 }

@@ -190,9 +190,9 @@ TEST(LightList, BounceNeedsASky) {
   const LightList list = makeLightList(box(vec3(-1), vec3(1)), lights, evenSky(vec3(1)), limits);
   // The sun, the sky above, what comes from below and what comes back from above.
   ASSERT_EQ(list.lights.size(), 4u);
-  // A cube of side 2: the sun's flux over the area of its six sides, 0.67 of it sent on.
+  // A cube of side 2: the sun's flux over the area of its six sides, 0.54 of it sent on.
   const vec3 d = glm::abs(lights[0].direction);
-  const float bounce = 0.67f * (d.x + d.y + d.z) * 4 / 24;
+  const float bounce = 0.54f * (d.x + d.y + d.z) * 4 / 24;
   EXPECT_NEAR(list.lights[2].color.x, kPi + bounce, 2e-3f);
   EXPECT_NEAR(list.lights[3].color.x, bounce / 3, 2e-3f);
 }
