@@ -24,6 +24,6 @@ vec3 shadeLight(Surface s, vec3 toEye, vec3 toLight) {
   float visibility = 0.5 / (nl * sqrt(nv * nv * (1.0 - a2) + a2) + nv * sqrt(nl * nl * (1.0 - a2) + a2));
   vec3 fresnel = fresnelSchlick(s.f0, vh);
 
-  vec3 diffuse = s.baseColor * ((1.0 - s.metallic) / PI) * (1.0 - fresnel * (1.0 - reflectionFade(s.roughness)));
+  vec3 diffuse = s.baseColor * ((1.0 - s.metallic) / PI) * (1.0 - fresnel * (1.0 - roughnessFade(s.roughness)));
   return (diffuse + fresnel * (distribution * visibility)) * nl;
 }

@@ -109,7 +109,7 @@ vec4 directLighting(Surface s, vec3 toEye) {
         openBounce += irradiance * (1.0 - lights[i].cone.x);
         continue;
       }
-      float weight = dot(color, vec3(0.2126, 0.7152, 0.0722));
+      float weight = luminance(color);
       all += weight;
       if (nl <= 0.0) continue;
       facing += weight * nl;

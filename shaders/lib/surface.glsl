@@ -1,4 +1,5 @@
 // What a material looks like at one point of a triangle: used by the G-buffer and by every traced hit.
+#include "lib/fresnel.glsl"
 #include "lib/textures.glsl"
 
 struct Surface {
@@ -16,12 +17,6 @@ struct Surface {
 };
 
 float luminance(vec3 color) { return dot(color, vec3(0.2126, 0.7152, 0.0722)); }
-
-// From 1 at roughness 0 to 0 at select.max_roughness.
-float roughnessFade(float roughness) {
-  if (frame.maxRoughness <= 0.0) return roughness <= 0.0 ? 1.0 : 0.0;
-  return clamp(1.0 - roughness / frame.maxRoughness, 0.0, 1.0);
-}
 
 // Turns a normal that faces away from the viewer just past the silhouette.
 vec3 faceViewer(vec3 normal, vec3 direction) {

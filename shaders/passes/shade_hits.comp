@@ -46,9 +46,11 @@ Surface storedSurface(uint index, Ray ray, Hit hit) {
   s.f0 = mix(dielectric, s.baseColor, s.metallic);
   if ((flags & MATERIAL_MIRROR) != 0u) {
     s.f0 = vec3(materials[material].mirror);
-    s.roughness = 0.0;
     s.metallic = 0.0;
   }
+  // The stored reflectivity holds what the roughness texture said.
+  float fade = clamp(s.reflectivity / max(luminance(s.f0), 1e-6), 0.0, 1.0);
+  s.roughness = fade > 0.0 ? (1.0 - fade) * frame.maxRoughness : max(s.roughness, frame.maxRoughness);
   return s;
 }
 #endif

@@ -192,7 +192,7 @@ TEST_F(ShadeHitsTest, UnlitHitIsItsColour) {
 TEST_F(ShadeHitsTest, StoredSurfacesReplaceTheTrianglesOwn) {
   Material material = diffuse(vec3(1));
   material.metallic = 1;
-  material.roughness = 0.2f;
+  material.roughness = 1;  // times a texture's
   settings.select.maxRoughness = 0.4f;
   setUp(material);
   const vec3 metal(0.8f, 0.4f, 0.2f);
