@@ -1,0 +1,495 @@
+// Known answers and invariants of the tracers, through the public renderer. One contract test runs over all methods.
+#include <cmath>
+#include <set>
+#include <string>
+
+#include "gpu/render_fixture.h"
+#include "gpu/shader_function.h"
+
+namespace halfsilver::testing {
+namespace {
+
+Material plain(const glm::vec3& color) {
+  Material material;
+  material.baseColor = glm::vec4(color, 1);
+  material.metallic = 0;
+  return material;
+}
+
+Material mirrorMaterial() {
+  Material material = plain({0.5f, 0.5f, 0.5f});
+  material.mirror = 1.0f;
+  return material;
+}
+
+std::uint32_t addVertex(Scene& scene, const glm::vec3& position, const glm::vec3& normal) {
+  scene.vertices.push_back({position, normal});
+  return static_cast<std::uint32_t>(scene.vertices.size() - 1);
+}
+
+void addTriangle(Scene& scene, const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, std::uint32_t material) {
+  const glm::vec3 cross = glm::cross(b - a, c - a);
+  const glm::vec3 normal = glm::length(cross) > 0 ? glm::normalize(cross) : glm::vec3(0, 1, 0);
+  scene.triangles.push_back(
+      {{addVertex(scene, a, normal), addVertex(scene, b, normal), addVertex(scene, c, normal)}, material});
+}
+
+// Deterministic numbers in 0..1.
+class Sequence {
+ public:
+  float next() {
+    state_ = state_ * 1664525u + 1013904223u;
+    return static_cast<float>(state_ >> 8) / 16777216.0f;
+  }
+  glm::vec3 point() {
+    const float x = next(), y = next(), z = next();
+    return {x, y, z};
+  }
+
+ private:
+  std::uint32_t state_ = 12345;
+};
+
+// A mirror floor at y = 0 under a soup of double-sided triangles of very different sizes.
+Scene soup(int triangles) {
+  Scene scene;
+  scene.materials = {mirrorMaterial(), plain({0.8f, 0.3f, 0.2f})};
+  scene.materials[1].doubleSided = true;
+  addQuad(scene, {-2, 0, 2}, {2, 0, 2}, {2, 0, -2}, {-2, 0, -2}, 0);
+  Sequence random;
+  for (int i = 0; i < triangles; ++i) {
+    const glm::vec3 at = glm::vec3(-2, 0.05f, -2) + glm::vec3(4, 1.5f, 4) * random.point();
+    const float size = 0.02f + 0.6f * std::pow(random.next(), 4.0f);
+    const glm::vec3 half(0.5f);
+    addTriangle(scene, at + size * (random.point() - half), at + size * (random.point() - half),
+                at + size * (random.point() - half), 1);
+  }
+  return scene;
+}
+
+const Camera kAbove = lookAt({0, 1.9f, 3.2f}, {0, 0.1f, 0});
+
+void expectNontrivial(const HitErrors& errors, const Frame& exact) {
+  EXPECT_GT(errors.rays, 500u);
+  const std::vector<float> ids = exact.plane("hit.id");
+  EXPECT_GT(std::set<float>(ids.begin(), ids.end()).size(), 20u);
+}
+
+class TracingTest : public RenderTest {};
+
+// A ray from a mirror plane meets a marker exactly where the mirrored camera ray would.
+TEST_F(TracingTest, MirrorPlaneShowsTheMarkerWhereGeometryPredicts) {
+  Scene scene;
+  scene.materials = {mirrorMaterial(), plain({1, 0, 0})};
+  addQuad(scene, {-5, 0, 5}, {5, 0, 5}, {5, 0, -5}, {-5, 0, -5}, 0);
+  const glm::vec3 low(-0.4f, 1.0f, -2.0f), high(0.6f, 1.8f, -2.0f);
+  addQuad(scene, {low.x, low.y, low.z}, {high.x, low.y, low.z}, {high.x, high.y, low.z}, {low.x, high.y, low.z}, 1);
+  const glm::vec3 eye(0, 1.5f, 3);
+  const Camera camera = lookAt(eye, {0, 0, -1});
+  const int width = 96, height = 72;
+  const Frame frame = draw(scene, camera, settingsWith({}), width, height);
+
+  const glm::vec3 forward = glm::normalize(camera.target - camera.eye), right(1, 0, 0), up = glm::cross(right, forward);
+  const float tangent = std::tan(0.5f * camera.verticalFov);
+  int seen = 0;
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      const float px = (2 * (static_cast<float>(x) + 0.5f) / width - 1) * tangent * width / height;
+      const float py = (1 - 2 * (static_cast<float>(y) + 0.5f) / height) * tangent;
+      const glm::vec3 ray = forward + px * right + py * up;
+      if (frame.at(x, y, "selected.Y") == 0) continue;
+      const glm::vec3 floorPoint = eye - ray * (eye.y / ray.y);
+      const glm::vec3 mirrored = glm::normalize(glm::vec3(ray.x, -ray.y, ray.z));
+      const float t = (low.z - floorPoint.z) / mirrored.z;
+      const glm::vec3 p = floorPoint + t * mirrored;
+      const float inside = std::min(std::min(p.x - low.x, high.x - p.x), std::min(p.y - low.y, high.y - p.y));
+      if (std::abs(inside) < 1e-3f) continue;  // the edge itself
+      if (inside > 0 && t > 0) {
+        ++seen;
+        ASSERT_NEAR(frame.at(x, y, "hit.T"), t, 1e-4f * t) << x << "," << y;
+        ASSERT_GE(frame.at(x, y, "hit.id"), 2.0f);
+        EXPECT_NEAR(std::abs(frame.at(x, y, "hit.nz")), 1.0f, 1e-5f);
+      } else {
+        ASSERT_EQ(frame.at(x, y, "hit.T"), -1.0f) << x << "," << y;
+      }
+    }
+  EXPECT_GT(seen, 50);
+}
+
+// Rays against a finely tessellated sphere follow the closed form within the tessellation's error.
+TEST_F(TracingTest, MirrorFloorUnderASphereFollowsTheClosedForm) {
+  Scene scene;
+  scene.materials = {mirrorMaterial(), plain({0.2f, 0.5f, 0.9f})};
+  scene.materials[1].doubleSided = true;
+  addQuad(scene, {-3, 0, 3}, {3, 0, 3}, {3, 0, -3}, {-3, 0, -3}, 0);
+  const glm::vec3 center(0, 1.2f, 0);
+  const float radius = 0.8f;
+  const int rings = 96, sectors = 192;
+  const auto point = [&](int ring, int sector) {
+    const float theta = 3.14159265f * static_cast<float>(ring) / rings;
+    const float phi = 6.2831853f * static_cast<float>(sector % sectors) / sectors;
+    return center +
+           radius * glm::vec3(std::sin(theta) * std::cos(phi), std::cos(theta), std::sin(theta) * std::sin(phi));
+  };
+  for (int ring = 0; ring < rings; ++ring)
+    for (int sector = 0; sector < sectors; ++sector) {
+      const glm::vec3 a = point(ring, sector), b = point(ring + 1, sector), c = point(ring + 1, sector + 1),
+                      d = point(ring, sector + 1);
+      if (ring + 1 < rings) addTriangle(scene, a, c, b, 1);
+      if (ring > 0) addTriangle(scene, a, d, c, 1);
+    }
+  const glm::vec3 eye(0, 2.2f, 4);
+  const Camera camera = lookAt(eye, {0, 0.3f, 0});
+  const int width = 64, height = 48;
+  const Frame frame = draw(scene, camera, settingsWith({}), width, height);
+  const glm::vec3 forward = glm::normalize(camera.target - camera.eye), right(1, 0, 0), up = glm::cross(right, forward);
+  const float tangent = std::tan(0.5f * camera.verticalFov);
+  const float sagitta = radius * (1 - std::cos(3.14159265f / rings));
+  int seen = 0;
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      if (frame.at(x, y, "selected.Y") == 0) continue;
+      const float px = (2 * (static_cast<float>(x) + 0.5f) / width - 1) * tangent * width / height;
+      const float py = (1 - 2 * (static_cast<float>(y) + 0.5f) / height) * tangent;
+      const glm::vec3 ray = forward + px * right + py * up;
+      const glm::vec3 start = eye - ray * (eye.y / ray.y);
+      const glm::vec3 direction = glm::normalize(glm::vec3(ray.x, -ray.y, ray.z));
+      const float b = glm::dot(start - center, direction);
+      const float discriminant = b * b - (glm::dot(start - center, start - center) - radius * radius);
+      if (std::abs(discriminant) < 0.02f) continue;  // near the outline
+      if (discriminant < 0) {
+        EXPECT_EQ(frame.at(x, y, "hit.T"), -1.0f);
+        continue;
+      }
+      ++seen;
+      const float slack = sagitta * radius / std::sqrt(discriminant) + 1e-4f;
+      EXPECT_NEAR(frame.at(x, y, "hit.T"), -b - std::sqrt(discriminant), slack);
+    }
+  EXPECT_GT(seen, 100);
+}
+
+struct IdentityCase {
+  const char* voxels;
+  const char* texels;
+  const char* axis;
+};
+
+class IdentityTest : public TracingTest, public ::testing::WithParamInterface<IdentityCase> {};
+
+// DDA against brute force: whatever the resolutions and the rule for axes, nothing is missed.
+TEST_P(IdentityTest, EqualsExactRays) {
+  const Scene scene = soup(1500);
+  const Frame exact = draw(scene, kAbove, settingsWith({{"trace.method", "exact"}}), 80, 60);
+  const Frame frame = draw(scene, kAbove,
+                           settingsWith({{"voxels.resolution", GetParam().voxels},
+                                         {"abuffer.resolution", GetParam().texels},
+                                         {"voxels.axis", GetParam().axis}}),
+                           80, 60);
+  const HitErrors errors = compareHits(frame, exact, scene.bounds().diagonal());
+  expectNontrivial(errors, exact);
+  EXPECT_EQ(errors.hitError, 0);
+  EXPECT_EQ(errors.wrongId, 0);
+  EXPECT_EQ(frame.report.overflow, 0u);
+  EXPECT_EQ(frame.report.lostFragments, 0u);
+}
+
+INSTANTIATE_TEST_SUITE_P(Resolutions, IdentityTest,
+                         ::testing::Values(IdentityCase{"32", "128", "own"}, IdentityCase{"1", "1", "own"},
+                                           IdentityCase{"7", "50", "own"}, IdentityCase{"64", "64", "own"},
+                                           IdentityCase{"50", "7", "own"}, IdentityCase{"128", "512", "own"},
+                                           IdentityCase{"32", "128", "area"}, IdentityCase{"20", "90", "normal"}));
+
+// Rays through shared edges and vertices: a closed fan of triangles around points that rays meet exactly.
+TEST_F(TracingTest, NoRaySlipsThroughSharedEdges) {
+  Scene scene;
+  scene.materials = {mirrorMaterial(), plain({1, 1, 0})};
+  addQuad(scene, {-2, 0, 2}, {2, 0, 2}, {2, 0, -2}, {-2, 0, -2}, 0);
+  // A ceiling grid whose edges lie on planes that contain many of the mirrored rays (x = multiples of 1/8).
+  const int cells = 32;
+  for (int z = 0; z < cells; ++z)
+    for (int x = 0; x < cells; ++x) {
+      const auto corner = [&](int i, int k) {
+        return glm::vec3(-2 + static_cast<float>(i) * 0.125f, 1, -2 + static_cast<float>(k) * 0.125f);
+      };
+      addTriangle(scene, corner(x, z), corner(x + 1, z), corner(x + 1, z + 1), 1);
+      addTriangle(scene, corner(x, z), corner(x + 1, z + 1), corner(x, z + 1), 1);
+    }
+  Camera camera = lookAt({0, 0.5f, 0}, {0, 0, 0});
+  camera.up = {0, 0, -1};
+  // The rays of a square view's diagonals lie in the planes of the ceiling's diagonal edges.
+  camera.verticalFov = 2 * std::atan(64.0f / 108.0f);  // and every ninth column meets an edge
+  const Frame frame = draw(scene, camera, settingsWith({}), 64, 64);
+  int traced = 0;
+  for (const float t : frame.plane("hit.T")) {
+    if (t == -2) continue;
+    ++traced;
+    ASSERT_GT(t, 0.9f);
+  }
+  EXPECT_EQ(traced, 64 * 64);
+}
+
+struct MethodCase {
+  const char* name;
+  std::vector<std::pair<const char*, const char*>> settings;
+  double worstHitError;
+};
+
+const MethodCase kMethods[] = {
+    {"identity", {{"trace.method", "identity"}}, 0},
+    {"exact", {{"trace.method", "exact"}}, 0},
+    {"kastrati2017",
+     {{"trace.method", "attributes"},
+      {"voxels.axis", "normal"},
+      {"voxels.raster", "abuffer"},
+      {"search.steps", "3"},
+      {"voxels.resolution", "64"},
+      {"abuffer.resolution", "256"}},
+     0.25},
+    {"kastrati_full",
+     {{"trace.method", "attributes"},
+      {"voxels.axis", "normal"},
+      {"voxels.raster", "abuffer"},
+      {"search.steps", "0"},
+      {"voxels.resolution", "64"},
+      {"abuffer.resolution", "256"}},
+     0.25},
+    {"hu2014",
+     {{"trace.method", "attributes"},
+      {"voxels.axis", "normal"},
+      {"voxels.raster", "abuffer"},
+      {"abuffer.buffers", "three"},
+      {"abuffer.lists", "linked"},
+      {"abuffer.sorted", "true"},
+      {"search.steps", "0"},
+      {"voxels.resolution", "64"},
+      {"abuffer.resolution", "256"}},
+     0.25},
+};
+
+class MethodTest : public TracingTest, public ::testing::WithParamInterface<MethodCase> {
+ protected:
+  static Settings settings(std::initializer_list<std::pair<const char*, const char*>> more = {}) {
+    Settings result = settingsWith({});
+    for (const auto& [name, value] : GetParam().settings) set(result, name, value);
+    for (const auto& [name, value] : more) set(result, name, value);
+    return result;
+  }
+};
+
+// What every method owes: an answer to each selected ray, none to the others, near the truth, the same every time.
+TEST_P(MethodTest, KeepsTheContract) {
+  const Scene scene = soup(600);
+  const Frame exact = draw(scene, kAbove, settingsWith({{"trace.method", "exact"}}), 80, 60);
+  const Frame frame = draw(scene, kAbove, settings(), 80, 60);
+  const HitErrors errors = compareHits(frame, exact, scene.bounds().diagonal());
+  expectNontrivial(errors, exact);
+  EXPECT_LE(errors.hitError, GetParam().worstHitError);
+  const std::vector<float> t = frame.plane("hit.T"), id = frame.plane("hit.id"), selected = frame.plane("selected.Y");
+  std::size_t rays = 0;
+  for (std::size_t i = 0; i < t.size(); ++i) {
+    EXPECT_TRUE(std::isfinite(t[i]));
+    EXPECT_EQ(selected[i] == 0, t[i] == -2.0f);
+    EXPECT_EQ(t[i] >= 0, id[i] >= 0);
+    if (t[i] >= 0) {
+      EXPECT_LT(id[i], static_cast<float>(scene.triangles.size()));
+    }
+    rays += selected[i] != 0 ? 1u : 0u;
+  }
+  EXPECT_EQ(rays, frame.report.selected);
+  EXPECT_EQ(frame.report.overflow, 0u);
+  for (const float value : frame.layers.data) ASSERT_TRUE(std::isfinite(value));
+
+  const Frame again = draw(scene, kAbove, settings(), 80, 60);
+  EXPECT_EQ(frame.layers.data, again.layers.data);
+}
+
+TEST_P(MethodTest, NoSelectedPixelNoRay) {
+  const Scene scene = soup(50);
+  const Frame frame = draw(scene, kAbove, settings({{"select.fraction", "0"}}), 40, 30);
+  EXPECT_EQ(frame.report.selected, 0u);
+  for (const float t : frame.plane("hit.T")) ASSERT_EQ(t, -2.0f);
+}
+
+TEST_P(MethodTest, FragmentsEqualCompute) {
+  if (GetParam().name == std::string("exact")) GTEST_SKIP() << "the exact tracer has no shader stage";
+  const Scene scene = soup(300);
+  const Frame compute = draw(scene, kAbove, settings(), 64, 48);
+  const Frame fragment = draw(scene, kAbove, settings({{"trace.stage", "fragment"}}), 64, 48);
+  EXPECT_GT(compute.report.selected, 300u);
+  EXPECT_EQ(compute.layers.data, fragment.layers.data);
+}
+
+TEST_P(MethodTest, BouncesBetweenMirrors) {
+  Scene scene;
+  scene.materials = {mirrorMaterial(), mirrorMaterial(), plain({1, 0, 0})};
+  scene.materials[2].emissive = {1, 0, 0};
+  // Two mirrors face each other; a marker above the camera is seen after two reflections only.
+  addQuad(scene, {-2, -2, -2}, {2, -2, -2}, {2, 2, -2}, {-2, 2, -2}, 0);
+  addQuad(scene, {2, -2, 2}, {-2, -2, 2}, {-2, 2, 2}, {2, 2, 2}, 1);
+  const Camera camera = lookAt({0, 0, 0}, {0, 0, -1});
+  const Frame one = draw(scene, camera, settings({{"trace.bounces", "1"}}), 32, 24);
+  const Frame three = draw(scene, camera, settings({{"trace.bounces", "3"}}), 32, 24);
+  EXPECT_GT(one.report.selected, 100u);
+  EXPECT_EQ(one.plane("hit.T"), three.plane("hit.T"));
+  EXPECT_NE(one.plane("reflection.B"), three.plane("reflection.B"));
+}
+
+INSTANTIATE_TEST_SUITE_P(AllMethods, MethodTest, ::testing::ValuesIn(kMethods),
+                         [](const auto& method) { return std::string(method.param.name); });
+
+// Every fragment stored once, in the axis of its triangle: a floor has exactly one fragment a texel that it covers.
+TEST_F(TracingTest, FragmentsOfAFloorAreCountedExactly) {
+  Scene scene;
+  scene.materials = {mirrorMaterial(), plain({1, 1, 1})};
+  // Bounds are the grid's: 0..4 x 0..4 x 0..4 with the padding of makeGrid.
+  addQuad(scene, {0, 0, 4}, {4, 0, 4}, {4, 0, 0}, {0, 0, 0}, 0);
+  addTriangle(scene, {0, 4, 0}, {0.001f, 4, 0}, {0, 4, 0.001f}, 1);
+  const int texels = 64;
+  const Frame frame = draw(scene, lookAt({2, 3, 3}, {2, 0, 2}),
+                           settingsWith({{"trace.method", "attributes"},
+                                         {"voxels.axis", "own"},
+                                         {"abuffer.resolution", "64"},
+                                         {"voxels.resolution", "16"}}),
+                           16, 12);
+  // Plain rasterization covers each texel centre once; the diagonal is shared by rule. The tiny triangle covers none.
+  // The padding is 0.001 of the extent, less than half a texel, so every centre is inside.
+  EXPECT_EQ(frame.report.memory.fragmentsStored, static_cast<std::uint64_t>(texels * texels));
+  EXPECT_EQ(frame.report.memory.fragmentsPerAxis[1], static_cast<std::uint64_t>(texels * texels));
+  EXPECT_EQ(frame.report.memory.fragmentsPerAxis[0] + frame.report.memory.fragmentsPerAxis[2], 0u);
+
+  const Frame three = draw(scene, lookAt({2, 3, 3}, {2, 0, 2}),
+                           settingsWith({{"trace.method", "attributes"},
+                                         {"abuffer.buffers", "three"},
+                                         {"abuffer.resolution", "64"},
+                                         {"voxels.resolution", "16"}}),
+                           16, 12);
+  EXPECT_EQ(three.report.memory.fragmentsPerAxis[1], static_cast<std::uint64_t>(texels * texels));
+}
+
+// Conservative rasterization against a CPU count of the texels that a triangle touches (separating axes in double).
+TEST_F(TracingTest, ConservativeFragmentsCoverWhatTheTriangleTouches) {
+  Scene scene;
+  scene.materials = {mirrorMaterial(), plain({1, 1, 1})};
+  addTriangle(scene, {0, 0, 4}, {4, 0, 4}, {0, 0, 0}, 0);
+  addTriangle(scene, {0, 4, 0}, {0.001f, 4, 0}, {0, 4, 0.001f}, 1);  // gives the bounds their height
+  const double pad = 4e-3, extent = 4 + 2 * pad;
+  const int n = 50;
+  std::uint64_t least = 0, most = 0;
+  for (int z = 0; z < n; ++z)
+    for (int x = 0; x < n; ++x) {
+      // The triangle covers x from 0 to z, z from 0 to 4: a texel touches it when its nearest corner does.
+      const double cell = extent / n, x0 = x * cell - pad, z1 = (z + 1) * cell - pad;
+      const double z0 = z * cell - pad, x1 = x0 + cell;
+      const double slack = 0.03 * cell;
+      const auto touches = [&](double grow) {
+        return x0 - grow <= z1 + grow && x0 - grow <= 4 && x1 + grow >= 0 && z0 - grow <= 4 && z1 + grow >= 0;
+      };
+      least += touches(0) ? 1u : 0u;
+      most += touches(slack) ? 1u : 0u;
+    }
+  const Frame frame = draw(scene, lookAt({1, 3, 6}, {1, 0, 3}),
+                           settingsWith({{"abuffer.resolution", "50"}, {"voxels.resolution", "10"}}), 16, 12);
+  const std::uint64_t stored = frame.report.memory.fragmentsPerAxis[1];
+  EXPECT_GT(least, 1000u);
+  // The small triangle adds its own texels, at most four.
+  EXPECT_GE(stored, least);
+  EXPECT_LE(stored, most + 4);
+}
+
+// The page list under contention: many sheets over the same texels, all found, in every page size.
+TEST_F(TracingTest, ListsOfManySheetsAreComplete) {
+  Scene scene;
+  scene.materials = {mirrorMaterial(), plain({1, 1, 1})};
+  addQuad(scene, {-1, 0, 1}, {1, 0, 1}, {1, 0, -1}, {-1, 0, -1}, 0);
+  const int sheets = 300;
+  for (int i = 0; i < sheets; ++i) {
+    const float y = 0.5f + 0.001f * static_cast<float>(i);
+    addQuad(scene, {-1, y, -1}, {1, y, -1}, {1, y, 1}, {-1, y, 1}, 1);  // seen from below
+  }
+  const Camera camera = lookAt({0, 0.4f, 0.9f}, {0, 0, 0});
+  const Frame exact = draw(scene, camera, settingsWith({{"trace.method", "exact"}}), 40, 30);
+  std::uint64_t fragments = 0;
+  for (const char* pageSize : {"1", "3", "4", "64"}) {
+    const Frame frame =
+        draw(scene, camera,
+             settingsWith({{"abuffer.page_size", pageSize}, {"abuffer.resolution", "16"}, {"voxels.resolution", "4"}}),
+             40, 30);
+    EXPECT_EQ(frame.report.lostFragments, 0u) << pageSize;
+    EXPECT_EQ(frame.report.memory.fragments, frame.report.memory.fragmentsStored) << pageSize;
+    if (fragments == 0) fragments = frame.report.memory.fragments;
+    EXPECT_EQ(frame.report.memory.fragments, fragments) << pageSize;
+    EXPECT_GE(fragments, static_cast<std::uint64_t>(16 * 16 * (sheets + 1)));
+    const HitErrors errors = compareHits(frame, exact, scene.bounds().diagonal());
+    EXPECT_GT(errors.rays, 500u);
+    EXPECT_EQ(errors.hitError, 0) << pageSize;
+    EXPECT_EQ(errors.wrongId, 0) << pageSize;
+    EXPECT_EQ(frame.report.overflow, 0u);
+  }
+}
+
+// A pool that is too small is counted and shown, never a miss in silence; the next frames have room.
+TEST_F(TracingTest, LostFragmentsAreOverflowNotMisses) {
+  Scene scene;
+  scene.materials = {mirrorMaterial(), plain({1, 1, 1})};
+  addQuad(scene, {-1, 0, 1}, {1, 0, 1}, {1, 0, -1}, {-1, 0, -1}, 0);
+  for (int i = 0; i < 120; ++i) {
+    const float y = 0.5f + 0.002f * static_cast<float>(i);
+    addQuad(scene, {-1, y, -1}, {1, y, -1}, {1, y, 1}, {-1, y, 1}, 1);
+  }
+  const Camera camera = lookAt({0, 0.4f, 0.9f}, {0, 0, 0});
+  const Settings settings = settingsWith({{"abuffer.resolution", "64"}, {"voxels.resolution", "16"}});
+  const Frame first = drawOnce(scene, camera, settings, 40, 30);
+  ASSERT_GT(first.report.lostFragments, 0u);
+  EXPECT_GT(first.report.overflow, 0u);
+  const Frame exact = draw(scene, camera, settingsWith({{"trace.method", "exact"}}), 40, 30);
+  const std::vector<float> t = first.plane("hit.T"), truth = exact.plane("hit.T");
+  std::uint64_t shown = 0;
+  for (std::size_t i = 0; i < t.size(); ++i) {
+    if (t[i] == -3.0f)
+      ++shown;
+    else
+      ASSERT_NEAR(t[i], truth[i], 1e-4f);
+  }
+  EXPECT_EQ(shown, first.report.overflow);
+  const Frame later = draw(scene, camera, settings, 40, 30);
+  EXPECT_EQ(later.report.lostFragments, 0u);
+  EXPECT_EQ(later.report.overflow, 0u);
+  EXPECT_EQ(compareHits(later, exact, scene.bounds().diagonal()).hitError, 0);
+}
+
+// Alpha cuts and back faces are the same rule for the rays of all exact methods.
+TEST_F(TracingTest, RaysSeeHolesAndCulledBacksAsTheReferenceDoes) {
+  Scene scene = soup(0);
+  auto texture = std::make_shared<Texture>();
+  texture->width = texture->height = 8;
+  texture->srgb = true;
+  for (int i = 0; i < 64; ++i) {
+    const std::uint8_t alpha = ((i % 8) / 2 + (i / 16)) % 2 ? 255 : 0;
+    texture->texels.insert(texture->texels.end(), {200, 120, 40, alpha});
+  }
+  scene.textures = {texture};
+  Material leaf = plain({1, 1, 1});
+  leaf.alphaMode = AlphaMode::mask;
+  leaf.doubleSided = true;
+  leaf.baseColorTexture.texture = 0;
+  Material oneSided = plain({0, 1, 0});
+  scene.materials.push_back(leaf);
+  scene.materials.push_back(oneSided);
+  addQuad(scene, {-1.5f, 0.2f, -1}, {0, 0.2f, -1}, {0, 1.4f, -1}, {-1.5f, 1.4f, -1}, 2);
+  addQuad(scene, {1.5f, 0.2f, -1}, {0.2f, 0.2f, -1}, {0.2f, 1.4f, -1}, {1.5f, 1.4f, -1}, 3);  // its back to the rays
+  addQuad(scene, {-1.9f, 0, -1.9f}, {1.9f, 0, -1.9f}, {1.9f, 1.9f, -1.9f}, {-1.9f, 1.9f, -1.9f}, 1);
+  for (const char* cull : {"true", "false"}) {
+    const Frame exact =
+        draw(scene, kAbove, settingsWith({{"trace.method", "exact"}, {"scene.cull_back_faces", cull}}), 120, 90);
+    const Frame frame = draw(scene, kAbove, settingsWith({{"scene.cull_back_faces", cull}}), 120, 90);
+    const HitErrors errors = compareHits(frame, exact, scene.bounds().diagonal());
+    EXPECT_EQ(errors.hitError, 0);
+    std::set<float> ids;
+    for (const float id : frame.plane("hit.id")) ids.insert(id);
+    EXPECT_TRUE(ids.count(2) == 1 && ids.count(6) == 1);
+    EXPECT_EQ(ids.count(4) + ids.count(5) > 0, std::string(cull) == "false");
+  }
+}
+
+}  // namespace
+}  // namespace halfsilver::testing
