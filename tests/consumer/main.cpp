@@ -55,9 +55,9 @@ int run() {
   const halfsilver::gl::Texture color(gl, {.format = GL_RGBA8, .width = kWidth, .height = kHeight}, "color");
   const halfsilver::gl::Framebuffer framebuffer(gl);
   framebuffer.attach(GL_COLOR_ATTACHMENT0, color);
-  const halfsilver::FrameReport& report =
-      renderer.render(camera, settings, {framebuffer.name(), 0, 0, kWidth, kHeight});
+  renderer.render(camera, settings, {framebuffer.name(), 0, 0, kWidth, kHeight});
 
+  const halfsilver::FrameReport report = renderer.report();
   const halfsilver::Image layers = renderer.readLayers();
   const glm::vec3 center = pixel(layers, kWidth / 2, kHeight / 2), corner = pixel(layers, 1, 1);
   std::printf("%s: %d pixels, triangle %.2f %.2f %.2f, sky %.2f %.2f %.2f\n", renderer.device().renderer.c_str(),
