@@ -1,6 +1,7 @@
 #include "io/gltf_build.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -34,12 +35,33 @@ struct WorldBounds {
 // Where coordinates count from: zero, or for a scene that is far from zero for its size a round point near its centre,
 // the nearest multiple of a power of two, so that subtracting it is exact.
 glm::dvec3 chooseOrigin(const WorldBounds& bounds) {
-  constexpr double kFar = 8;  // sizes
+  constexpr double kFar = 32;  // sizes
   const double size = glm::length(bounds.high - bounds.low);
   const glm::dvec3 center = 0.5 * bounds.low + 0.5 * bounds.high;
   if (!(glm::length(center) > kFar * size) || size == 0) return glm::dvec3(0);
   const double step = std::exp2(std::ceil(std::log2(size)));
   return glm::round(center / step) * step;
+}
+
+// In double precision differences and products of floats are exact: the same answer on every machine.
+double squaredNormal(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
+  const glm::dvec3 normal = glm::cross(glm::dvec3(b) - glm::dvec3(a), glm::dvec3(c) - glm::dvec3(a));
+  return glm::dot(normal, normal);
+}
+
+// Zero area in its own space is zero area wherever a node puts it, but rounding there may hide it.
+bool hasArea(const Instance& shape, const std::array<std::uint32_t, 3>& t) {
+  return squaredNormal(shape.rest[t[0]].position, shape.rest[t[1]].position, shape.rest[t[2]].position) > 0;
+}
+
+// True where a shader gets a normal in single precision: the squared area is a normal float, and the cross product is
+// more than its own rounding errors.
+bool hasNormal(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
+  constexpr double kSine = 1.0 / (1 << 22);
+  const glm::dvec3 ab = glm::dvec3(b) - glm::dvec3(a), ac = glm::dvec3(c) - glm::dvec3(a);
+  const double squared = squaredNormal(a, b, c);
+  return squared >= static_cast<double>(std::numeric_limits<float>::min()) &&
+         squared > kSine * kSine * glm::dot(ab, ab) * glm::dot(ac, ac);
 }
 
 Light sun() {
@@ -165,12 +187,14 @@ class Builder {
       place(model_.rig, shape, rest_, scene.origin, std::span(scene.vertices).subspan(shape.firstVertex));
       shape.firstTriangle = static_cast<std::uint32_t>(scene.triangles.size());
       const bool turned = mirrored(shape, rest_);
+      const bool rigid = shape.skin < 0 && shape.targets.empty();
       for (const auto& source : geometry.triangles) {
         Triangle triangle;
         triangle.material = geometry.material;
         for (std::size_t k = 0; k < 3; ++k) triangle.vertices[k] = shape.firstVertex + source[k];
         if (turned) std::swap(triangle.vertices[1], triangle.vertices[2]);
-        keep(triangle, geometry.finite[source[0]] && geometry.finite[source[1]] && geometry.finite[source[2]]);
+        const bool finite = geometry.finite[source[0]] && geometry.finite[source[1]] && geometry.finite[source[2]];
+        keep(triangle, finite, !rigid || hasArea(shape, source));
       }
       shape.triangleCount = static_cast<std::uint32_t>(scene.triangles.size()) - shape.firstTriangle;
       addPart(geometry);
@@ -185,16 +209,11 @@ class Builder {
         vertex.position = glm::vec3(0);
   }
 
-  void keep(const Triangle& triangle, bool finite) {
-    if (!finite) {
-      ++model_.dropped.nonFinite;
-      return;
-    }
+  void keep(const Triangle& triangle, bool finite, bool hasArea) {
     const auto corner = [&](std::size_t k) { return model_.scene.vertices[triangle.vertices[k]].position; };
-    const glm::vec3 a = corner(0);
-    const glm::vec3 normal = glm::cross(corner(1) - a, corner(2) - a);
-    // Below this a float cannot hold the squared area, and the triangle has no normal.
-    if (glm::dot(normal, normal) < std::numeric_limits<float>::min())
+    if (!finite)
+      ++model_.dropped.nonFinite;
+    else if (!hasArea || !hasNormal(corner(0), corner(1), corner(2)))
       ++model_.dropped.degenerate;
     else
       model_.scene.triangles.push_back(triangle);

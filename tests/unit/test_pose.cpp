@@ -1,0 +1,205 @@
+#include <cmath>
+#include <glm/gtc/constants.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "core/error.h"
+#include "gltf_files.h"
+#include "io/gltf.h"
+#include "shared_scenes.h"
+
+namespace halfsilver::testing {
+namespace {
+
+Model load(const GltfFile& file) {
+  const TemporaryFolder folder;
+  return loadGltf(folder.write("scene.glb", file.glb()));
+}
+
+// A triangle whose node follows one channel.
+GltfFile animated(const char* path, const std::vector<float>& times, const std::vector<float>& values, const char* type,
+                  const char* interpolation) {
+  GltfFile file;
+  file.triangle();
+  const int input = file.accessor(times, "SCALAR"), output = file.accessor(values, type);
+  const json sampler = {{"input", input}, {"output", output}, {"interpolation", interpolation}};
+  const json channel = {{"sampler", 0}, {"target", {{"node", 0}, {"path", path}}}};
+  file.add("animations", {{"samplers", json::array({sampler})}, {"channels", json::array({channel})}});
+  return file;
+}
+
+glm::vec3 corner(const Model& model, std::size_t k) {
+  return model.scene.vertices[model.scene.triangles.at(0).vertices[k]].position;
+}
+
+bool near(const glm::vec3& a, const glm::vec3& b, float tolerance = 1e-5f) { return glm::distance(a, b) <= tolerance; }
+
+TEST(Pose, StaticScenesDoNotMove) {
+  GltfFile file;
+  file.triangle();
+  Model model = load(file);
+  EXPECT_TRUE(pose(model, 3).empty());
+}
+
+TEST(Pose, LinearTranslationInterpolatesAndLoops) {
+  Model model = load(animated("translation", {0, 2}, {0, 0, 0, 4, 0, 0}, "VEC3", "LINEAR"));
+  ASSERT_EQ(model.rig.instances.size(), 1u);
+  const auto ranges = pose(model, 0.5);
+  ASSERT_EQ(ranges.size(), 1u);
+  EXPECT_EQ(ranges[0].first, 0u);
+  EXPECT_EQ(ranges[0].count, model.scene.vertices.size());
+  EXPECT_TRUE(near(corner(model, 0), {1, 0, 0}));
+  EXPECT_TRUE(pose(model, 0.5).empty()) << "nothing changed since";
+  pose(model, 2.5);
+  EXPECT_TRUE(near(corner(model, 0), {1, 0, 0})) << "a loop later";
+  pose(model, -1.5);
+  EXPECT_TRUE(near(corner(model, 0), {1, 0, 0})) << "a loop earlier";
+}
+
+TEST(Pose, StepHoldsTheLastKey) {
+  Model model = load(animated("scale", {0, 1, 2}, {1, 1, 1, 3, 1, 1, 5, 1, 1}, "VEC3", "STEP"));
+  pose(model, 0.99);
+  EXPECT_TRUE(near(corner(model, 1), {1, 0, 0}));
+  pose(model, 1.01);
+  EXPECT_TRUE(near(corner(model, 1), {3, 0, 0}));
+}
+
+TEST(Pose, RotationTakesTheShorterWayAtEvenSpeed) {
+  const float half = std::sqrt(0.5f);
+  // The second quaternion is the quarter turn with its sign flipped.
+  Model model = load(animated("rotation", {0, 1}, {0, 0, 0, 1, 0, 0, -half, -half}, "VEC4", "LINEAR"));
+  pose(model, 1.0 / 3);
+  const float angle = glm::radians(30.0f);
+  EXPECT_TRUE(near(corner(model, 1), {std::cos(angle), std::sin(angle), 0}));
+}
+
+TEST(Pose, CubicSplineFollowsHermite) {
+  // Key 0: value 0, leaving at 2 a second; key 1 at 2 s: value 1, arriving at -1 a second.
+  Model model = load(
+      animated("translation", {0, 2}, {9, 9, 9, 0, 0, 0, 2, 0, 0, -1, 0, 0, 1, 0, 0, 9, 9, 9}, "VEC3", "CUBICSPLINE"));
+  pose(model, 0.5);
+  const double t = 0.25, t2 = t * t, t3 = t2 * t;
+  const double expected = 2 * (t3 - 2 * t2 + t) * 2 + (3 * t2 - 2 * t3) * 1 + 2 * (t3 - t2) * -1;
+  EXPECT_NEAR(corner(model, 0).x, expected, 1e-6);
+}
+
+TEST(Pose, BeforeTheFirstKeyItHolds) {
+  Model model = load(animated("translation", {1, 2}, {5, 0, 0, 6, 0, 0}, "VEC3", "LINEAR"));
+  pose(model, 0.25);
+  EXPECT_TRUE(near(corner(model, 0), {5, 0, 0}));
+}
+
+TEST(Pose, ChildrenCamerasAndLightsFollow) {
+  GltfFile file = animated("translation", {0, 1}, {0, 0, 0, 0, 8, 0}, "VEC3", "LINEAR");
+  file.root["nodes"][0].erase("mesh");
+  file.root["nodes"][0]["children"] = {1, 2};
+  file.add("nodes", {{"mesh", 0}, {"translation", {1, 0, 0}}});
+  file.root["cameras"] = {{{"type", "perspective"}, {"perspective", {{"yfov", 0.7}, {"znear", 0.1}}}}};
+  file.root["extensions"]["KHR_lights_punctual"]["lights"] = {{{"type", "point"}}};
+  file.add("nodes", {{"camera", 0}, {"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
+  Model model = load(file);
+  pose(model, 0.5);
+  EXPECT_TRUE(near(corner(model, 0), {1, 4, 0}));
+  EXPECT_TRUE(near(model.scene.cameras.at(0).eye, {0, 4, 0}));
+  EXPECT_TRUE(near(model.scene.lights.at(0).position, {0, 4, 0}));
+}
+
+TEST(Pose, MorphTargetsAddUp) {
+  GltfFile file = animated("weights", {0, 1}, {0, 0, 1, 0.5f}, "SCALAR", "LINEAR");
+  const int up = file.accessor(std::vector<float>{0, 0, 0, 0, 2, 0, 0, 0, 0}, "VEC3");
+  const int out = file.accessor(std::vector<float>{0, 0, 0, 0, 0, 4, 0, 0, 0}, "VEC3");
+  file.root["meshes"][0]["primitives"][0]["targets"] = {{{"POSITION", up}}, {{"POSITION", out}}};
+  file.root["meshes"][0]["weights"] = {0.25, 0};
+  Model model = load(file);
+  EXPECT_TRUE(near(corner(model, 1), {1, 0.5f, 0})) << "the mesh's weights at rest";
+  pose(model, 0.5);
+  EXPECT_TRUE(near(corner(model, 1), {1, 1, 1}));
+  // A primitive without normals is flat in every shape.
+  const glm::vec3 a = corner(model, 0);
+  const glm::vec3 flat = glm::normalize(glm::cross(corner(model, 1) - a, corner(model, 2) - a));
+  for (const Vertex& vertex : model.scene.vertices) EXPECT_TRUE(near(vertex.normal, flat));
+}
+
+TEST(Pose, SkinBlendsJointsAndIgnoresItsNode) {
+  GltfFile file = animated("translation", {0, 1}, {0, 0, 0, 0, 6, 0}, "VEC3", "LINEAR");
+  json& node = file.root["nodes"][0];
+  node.erase("mesh");  // the animated node becomes the second joint
+  json& attributes = file.root["meshes"][0]["primitives"][0]["attributes"];
+  attributes["JOINTS_0"] = file.accessor(std::vector<std::uint8_t>{0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0}, "VEC4");
+  // Weights that do not sum to one: 2 + 4 make a third and two thirds.
+  attributes["WEIGHTS_0"] = file.accessor(std::vector<float>{1, 0, 0, 0, 1, 0, 0, 0, 2, 4, 0, 0}, "VEC4");
+  const int bind = file.accessor(std::vector<float>{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1,
+                                                    1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 7, 1},
+                                 "MAT4");
+  const int still = file.add("nodes", json::object());
+  file.add("nodes", {{"mesh", 0}, {"skin", 0}, {"translation", {100, 100, 100}}});
+  file.add("skins", {{"joints", {still, 0}}, {"inverseBindMatrices", bind}});
+  Model model = load(file);
+  ASSERT_EQ(model.rig.instances.size(), 1u);
+  EXPECT_TRUE(near(corner(model, 1), {1, 0, 7})) << "the second joint's inverse bind matrix";
+  pose(model, 0.5);
+  EXPECT_TRUE(near(corner(model, 0), {0, 0, 0}));
+  EXPECT_TRUE(near(corner(model, 1), {1, 3, 7}));
+  EXPECT_TRUE(near(corner(model, 2), {0, 1 + 2, 14.0f / 3}));
+}
+
+TEST(Pose, FarScenesMoveWithDoublePrecision) {
+  GltfFile file = animated("translation", {0, 1}, {0, 0, 0, 0.001f, 0, 0}, "VEC3", "LINEAR");
+  file.add("nodes", {{"translation", {1e7, 0, 0}}, {"children", {0}}});
+  Model model = load(file);
+  const float before = corner(model, 0).x;
+  pose(model, 0.5);
+  EXPECT_NEAR(corner(model, 0).x - before, 0.0005f, 1e-6) << "a float at 1e7 m steps by one metre";
+}
+
+TEST(Pose, UnknownAnimationsAndTimesAreRefused) {
+  Model model = load(animated("translation", {0, 1}, {0, 0, 0, 1, 0, 0}, "VEC3", "LINEAR"));
+  EXPECT_THROW(pose(model, 0, 1), Error);
+  EXPECT_THROW(pose(model, std::nan("")), Error);
+}
+
+TEST(Pose, WorldMatricesAreThoseOfTheHierarchy) {
+  GltfFile file = animated("translation", {0, 1}, {0, 0, 0, 0, 8, 0}, "VEC3", "LINEAR");
+  file.add("nodes", {{"scale", {2, 2, 2}}, {"children", {0}}});
+  const Model model = load(file);
+  const auto world = worldMatrices(model.rig, 0.5, 0);
+  ASSERT_EQ(world.size(), 2u);
+  EXPECT_EQ(glm::dvec3(world[1][3]), glm::dvec3(0, 8, 0)) << "parents first";
+}
+
+// Real files: every time gives finite positions, unit normals and a sane size.
+class PoseOfScene : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(PoseOfScene, StaysSane) {
+  const auto path = sharedScene(std::string(GetParam()) + ".glb");
+  HALFSILVER_REQUIRE_SCENE(path);
+  Model model = loadGltf(path);
+  const float size = model.scene.bounds().diagonal();
+  const std::vector<Vertex> rest = model.scene.vertices;
+  ASSERT_FALSE(model.rig.instances.empty());
+  std::size_t changes = 0;
+  for (int animation = 0; animation < static_cast<int>(model.rig.animations.size()); ++animation)
+    for (const double part : {0.0, 0.13, 0.5, 0.77, 1.4}) {
+      const auto& played = model.rig.animations[static_cast<std::size_t>(animation)];
+      changes += pose(model, part * static_cast<double>(played.duration), animation).size();
+      const Bounds bounds = model.scene.bounds();
+      for (const Vertex& vertex : model.scene.vertices) {
+        ASSERT_LT(glm::length(vertex.position - bounds.center()), 20 * size);
+        ASSERT_NEAR(glm::length(vertex.normal), 1, 1e-4);
+        ASSERT_NEAR(glm::length(glm::vec3(vertex.tangent)), 1, 1e-4);
+      }
+      EXPECT_GT(bounds.diagonal(), 0.2f * size) << played.name << " at " << part;
+      EXPECT_LT(bounds.diagonal(), 8 * size) << played.name << " at " << part;
+    }
+  EXPECT_GT(changes, 1u);
+  pose(model, 0, -1);
+  for (std::size_t i = 0; i < rest.size(); ++i)
+    ASSERT_TRUE(near(rest[i].position, model.scene.vertices[i].position, 0));
+}
+
+INSTANTIATE_TEST_SUITE_P(Shared, PoseOfScene,
+                         ::testing::Values("fox", "rigged_figure", "box_animated", "animated_morph_cube", "desk_fan",
+                                           "milk_truck"),
+                         [](const auto& scene) { return std::string(scene.param); });
+
+}  // namespace
+}  // namespace halfsilver::testing
