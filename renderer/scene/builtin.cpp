@@ -68,6 +68,14 @@ Material metal(std::string name, glm::vec3 linearColor, float roughness) {
   return material;
 }
 
+Sky clearSky() {
+  Sky sky;
+  sky.zenith = glm::vec3(0.14f, 0.31f, 0.72f);
+  sky.horizon = glm::vec3(0.62f, 0.74f, 0.88f);
+  sky.ground = glm::vec3(0.26f, 0.24f, 0.22f);
+  return sky;
+}
+
 Light sunlight(glm::vec3 travels, glm::vec3 color, float lux) {
   Light sun;
   sun.type = LightType::directional;

@@ -33,14 +33,14 @@ Materials makeMaterials(Scene& scene) {
   m.stone = add(textured(dielectric("stone blocks", vec3(1), 0.85f), use(stone.color), use(stone.normal)));
   m.brick = add(textured(dielectric("bricks", vec3(1), 0.9f), use(brick.color), use(brick.normal)));
   m.ochre = add(textured(dielectric("ochre plaster", vec3(0.80f, 0.50f, 0.26f), 0.95f), plain));
-  m.limestone = add(textured(dielectric("limestone", vec3(0.84f, 0.73f, 0.57f), 0.7f), plain));
-  m.carved = add(thin(textured(dielectric("carved leaves", vec3(0.84f, 0.73f, 0.57f), 0.7f), plain)));
-  m.vault = add(textured(dielectric("vault plaster", vec3(0.86f, 0.78f, 0.66f), 0.95f), plain));
+  m.limestone = add(textured(dielectric("limestone", vec3(0.74f, 0.60f, 0.43f), 0.7f), plain));
+  m.carved = add(thin(textured(dielectric("carved leaves", vec3(0.74f, 0.60f, 0.43f), 0.7f), plain)));
+  m.vault = add(textured(dielectric("vault plaster", vec3(0.07f, 0.13f, 0.27f), 0.95f), plain));
   m.verde = add(textured(dielectric("green marble", vec3(0.10f, 0.24f, 0.18f), 0.45f), plain));
   m.wood = add(textured(dielectric("wood", vec3(1), 0.6f), use(wood.color), use(wood.normal)));
   m.railing = add(dielectric("railing", vec3(0.035f, 0.035f, 0.04f), 0.45f));
   m.iron = add(dielectric("iron", vec3(0.045f, 0.05f, 0.055f), 0.55f));
-  m.bronze = add(metal("bronze", vec3(0.80f, 0.50f, 0.24f), 0.16f));
+  m.bronze = add(metal("bronze", vec3(0.82f, 0.52f, 0.24f), 0.2f));
   m.terracotta = add(textured(dielectric("terracotta", vec3(0.60f, 0.24f, 0.12f), 0.9f), plain));
   m.soil = add(dielectric("soil", vec3(0.06f, 0.04f, 0.025f), 1.0f));
   Material leaves = thin(textured(dielectric("leaves", vec3(1), 0.7f), use(leafSprig())));
@@ -87,22 +87,22 @@ Model makeAtriumScene() {
   atrium::addLanterns(build, materials);
   setMesh(scene, build.take());
 
-  scene.lights.push_back(sunlight({0.36f, -0.80f, -0.30f}, vec3(1.0f, 0.86f, 0.66f), 16.0f));
+  scene.lights.push_back(sunlight({0.36f, -0.80f, -0.34f}, vec3(1.0f, 0.84f, 0.62f), 9.5f));
   for (const double z : atrium::kLanternZ) {
     Light lantern;
     lantern.type = LightType::point;
     lantern.position = vec3(0.0f, static_cast<float>(atrium::kLanternFoot) - 0.15f, static_cast<float>(z));
     lantern.color = vec3(1.0f, 0.66f, 0.34f);
-    lantern.intensity = 22.0f;
+    lantern.intensity = 26.0f;
     lantern.range = 14.0f;
     scene.lights.push_back(lantern);
   }
   scene.sky.zenith = vec3(0.26f, 0.46f, 0.92f);
   scene.sky.horizon = vec3(0.86f, 0.86f, 0.84f);
-  scene.sky.ground = vec3(0.34f, 0.29f, 0.24f);
-  scene.sky.intensity = 1.5f;
+  scene.sky.ground = vec3(0.20f, 0.16f, 0.12f);
+  scene.sky.intensity = 0.55f;
 
-  scene.cameras.push_back(lookAt("hall", {0.9f, 1.35f, 13.2f}, {-0.15f, 2.75f, -4.0f}, 58));
+  scene.cameras.push_back(lookAt("hall", {-1.35f, 1.30f, 12.4f}, {0.70f, 2.62f, -4.0f}, 57));
   scene.cameras.push_back(lookAt("gallery", {-3.05f, 7.3f, 6.3f}, {1.8f, 2.6f, -5.0f}, 60));
   scene.cameras.push_back(lookAt("aisle", {5.2f, 1.6f, 14.0f}, {4.9f, 2.1f, 0.0f}, 60));
   scene.cameras.push_back(lookAt("floor", {-2.0f, 0.45f, 4.6f}, {0.6f, 1.6f, -4.0f}, 55));

@@ -145,7 +145,7 @@ void addPlants(MeshBuilder& build, const Materials& m) {
 }
 
 void addCentrepiece(MeshBuilder& build, const Materials& m) {
-  const dvec3 base(0, 0, columnZ(3));
+  const dvec3 base(0, 0, columnZ(4));
   build.use(m.limestone, kPlainScale);
   Profile pedestal;
   pedestal.lines({{0, 1.30}, {0.52, 1.30}}).arc({0.52, 1.26}, 0.04, 0.5 * kPi, -0.5 * kPi, 8);
@@ -159,8 +159,8 @@ void addCentrepiece(MeshBuilder& build, const Materials& m) {
 
   // A (2, 3) torus knot; the ring's plane is upright and faces the hall.
   build.use(m.bronze);
-  const dvec3 center = base + dvec3(0, 2.28, 0);
-  constexpr double kRing = 0.56, kWind = 0.25, kBar = 0.135;
+  const dvec3 center = base + dvec3(0, 2.42, 0);
+  constexpr double kRing = 0.66, kWind = 0.29, kBar = 0.155;
   const auto axisAt = [&](double u) {
     const double angle = 2 * kPi * u;
     const double radius = kRing + kWind * std::cos(3 * angle);

@@ -24,6 +24,7 @@ TextureUse addTexture(Scene& scene, std::shared_ptr<const Texture> texture);
 Material dielectric(std::string name, glm::vec3 linearColor, float roughness);
 Material metal(std::string name, glm::vec3 linearColor, float roughness);
 
+Sky clearSky();
 Light sunlight(glm::vec3 travels, glm::vec3 color, float lux);
 Camera lookAt(std::string name, glm::vec3 eye, glm::vec3 target, float verticalFovDegrees);
 

@@ -47,6 +47,7 @@ Model makeSphereScene() {
   pillar({-0.7, 0, 5.7}, 0.34, 1.5, red, yellow);
   setMesh(scene, build.take());
 
+  scene.sky = clearSky();
   scene.lights.push_back(sunlight({-0.55f, -0.80f, -0.45f}, glm::vec3(1.0f, 0.94f, 0.84f), 7.0f));
   scene.cameras.push_back(lookAt("front", {0.9f, 1.55f, 4.1f}, {0.05f, 0.85f, 0}, 42));
   scene.cameras.push_back(lookAt("above", {-2.6f, 3.6f, 3.4f}, {0, 0.7f, -0.2f}, 45));

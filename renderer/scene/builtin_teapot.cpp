@@ -146,8 +146,9 @@ Model makeTeapotScene() {
 
   MeshBuilder build;
   // A table top with a round mat; the teapot is as large as a person, so that metres are a handy unit.
-  build.use(table, 1.6).roundedBox({0, -0.2, 0}, {9, 0.2, 8}, 0.05, 3);
-  build.use(mat, 0.5).lathe(Profile().lines({{0, 0.03}, {1.75, 0.03}, {1.75, 0}}), dvec3(0), 96);
+  build.use(table, 1.6).roundedBox({0, -0.2, 0}, {9.6, 0.2, 10}, 0.05, 3);
+  build.use(mat, 0.5).disc({0, 0.03, 0}, {0, 1, 0}, 1.75, 96);
+  build.lathe(Profile().lines({{1.75, 0.03}, {1.75, 0}}), dvec3(0), 96);
   build.use(mirror);
   addTeapot(build, 0.5, dvec3(0, 0.03, 0), 20);
 
@@ -170,14 +171,19 @@ Model makeTeapotScene() {
   build.use(plum).roundedBox({1.0, 0, -2.4}, {1.5, 0.35, 1.0}, 0.05, kRound, 0.3);
   build.use(leaf).roundedBox({1.05, 0.35, -2.4}, {1.3, 0.28, 0.9}, 0.05, kRound, 0.05);
   build.use(teal).roundedBox({-2.9, 0, -0.2}, {0.8, 1.5, 0.8}, 0.06, kRound, 0.5);
-  // Things behind the camera.
-  build.use(coral).roundedBox({-1.6, 0, 3.4}, {1.0, 1.6, 0.6}, 0.06, kRound, 0.35);
-  build.use(leaf).roundedBox({0.2, 0, 3.6}, {0.7, 0.9, 0.5}, 0.06, kRound, -0.2);
-  build.use(cream).lathe(Profile().lines({{0, 2.0}, {0.4, 2.0}, {0.4, 0}}), dvec3(2.6, 0, 3.2), 48);
-  ball(plum, {3.7, 0, 1.6}, 0.45);
-  cup(coral, {-3.4, 0, 2.2});
+  // Things that only the teapot shows: high boards around the camera, and smaller ones between.
+  build.use(coral).roundedBox({-3.1, 0, 3.3}, {1.5, 2.7, 0.25}, 0.06, kRound, 0.75);
+  build.use(cream).roundedBox({-1.2, 0, 3.8}, {1.4, 3.3, 0.25}, 0.06, kRound, 0.25);
+  build.use(teal).roundedBox({3.9, 0, 2.4}, {1.4, 2.9, 0.25}, 0.06, kRound, -1.0);
+  build.use(lemon).roundedBox({2.9, 0, 3.6}, {1.0, 2.2, 0.25}, 0.06, kRound, -0.55);
+  build.use(leaf).roundedBox({-4.1, 0, 1.2}, {1.3, 2.4, 0.25}, 0.06, kRound, 1.25);
+  build.use(plum).lathe(Profile().lines({{0, 1.5}, {0.3, 1.5}, {0.3, 0}}), dvec3(-0.15, 0, 4.6), 48);
+  ball(coral, {-0.15, 1.5, 4.6}, 0.35);
+  ball(plum, {3.7, 0, 0.6}, 0.45);
+  cup(coral, {-2.9, 0, 2.0});
   setMesh(scene, build.take());
 
+  scene.sky = clearSky();
   scene.lights.push_back(sunlight({-0.50f, -0.85f, -0.40f}, glm::vec3(1.0f, 0.94f, 0.84f), 7.0f));
   scene.cameras.push_back(lookAt("front", {0.9f, 2.1f, 4.6f}, {0.1f, 0.72f, 0}, 36));
   scene.cameras.push_back(lookAt("side", {-3.6f, 1.5f, 2.9f}, {0, 0.75f, 0}, 38));

@@ -158,10 +158,10 @@ SurfaceTextures bricks() {
   m.bevel = 2.5f;
   m.wobble = 1.2f;
   m.relief = 1.0f;
-  m.spread = 0.16f;
-  m.grain = 0.22f;
-  m.stone = vec3(0.62f, 0.36f, 0.26f);
-  m.warm = vec3(0.74f, 0.47f, 0.33f);
+  m.spread = 0.10f;
+  m.grain = 0.15f;
+  m.stone = vec3(0.64f, 0.38f, 0.27f);
+  m.warm = vec3(0.72f, 0.45f, 0.32f);
   m.mortar = vec3(0.66f, 0.60f, 0.52f);
   m.seed = 23;
   return masonry("bricks", m);
