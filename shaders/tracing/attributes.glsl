@@ -38,8 +38,8 @@ Sample sampleAt(TraceRay ray, Slab slab, float t, ivec2 texel, inout int work) {
   while (going) {
     float depth = imageLoad(pool, int(it.entry) * ENTRY_TEXELS).w;
     when (depth >= slab.depths.x && depth <= slab.depths.y) {
-      vec4 packed = imageLoad(pool, int(it.entry) * ENTRY_TEXELS + 1);
-      if (counts(ray, unpackNormalReflectivity(packed), uint(packed.w))) {
+      vec4 stored = imageLoad(pool, int(it.entry) * ENTRY_TEXELS + 1);
+      if (counts(ray, unpackNormalReflectivity(stored), uint(stored.w))) {
         ++s.total;
         if (depth < s.depth) ++s.below;
         float away = abs(depth - s.depth), known = abs(s.nearestDepth - s.depth);

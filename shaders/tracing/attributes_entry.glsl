@@ -10,8 +10,8 @@ vec4 packNormal(vec3 normal, float reflectivity, uint triangle) {
   return vec4(uintBitsToFloat(bits), normal.y, normal.z, float(triangle));
 }
 
-vec4 unpackNormalReflectivity(vec4 packed) {
-  bool negative = (floatBitsToUint(packed.x) & 0x80000000u) != 0u;
-  float x = sqrt(max(0.0, 1.0 - packed.y * packed.y - packed.z * packed.z));
-  return vec4(negative ? -x : x, packed.y, packed.z, abs(packed.x));
+vec4 unpackNormalReflectivity(vec4 texel) {
+  bool negative = (floatBitsToUint(texel.x) & 0x80000000u) != 0u;
+  float x = sqrt(max(0.0, 1.0 - texel.y * texel.y - texel.z * texel.z));
+  return vec4(negative ? -x : x, texel.y, texel.z, abs(texel.x));
 }

@@ -323,7 +323,8 @@ TEST_P(MethodTest, BouncesBetweenMirrors) {
   Scene scene;
   scene.materials = {mirrorMaterial(), mirrorMaterial(), plain({1, 0, 0})};
   scene.materials[2].emissive = {1, 0, 0};
-  // Two mirrors face each other; a marker above the camera is seen after two reflections only.
+  // Two mirrors face each other under a glowing ceiling, which more paths reach with more bounces.
+  addQuad(scene, {-9, 2.5f, -9}, {9, 2.5f, -9}, {9, 2.5f, 9}, {-9, 2.5f, 9}, 2);
   addQuad(scene, {-2, -2, -2}, {2, -2, -2}, {2, 2, -2}, {-2, 2, -2}, 0);
   addQuad(scene, {2, -2, 2}, {-2, -2, 2}, {-2, 2, 2}, {2, 2, 2}, 1);
   const Camera camera = lookAt({0, 0, 0}, {0, 0, -1});
