@@ -2,7 +2,6 @@
 
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <type_traits>
 
 #include "core/error.h"
@@ -54,10 +53,11 @@ void visitAll(S& s, Visitor&& visit) {
   visit("image.tone_map", s.image.toneMap, 0, 0, "from linear radiance to the display");
 }
 
-std::string numberText(double value) {
+// The shortest text that reads back as the same value: 0.4 for the float 0.4.
+template <class T>
+std::string numberText(T value) {
   char text[32];
-  std::snprintf(text, sizeof(text), "%.9g", value);
-  return text;
+  return {text, std::to_chars(text, text + sizeof(text), value).ptr};
 }
 
 [[noreturn]] void reject(std::string_view name, std::string_view value, const std::string& expected) {
@@ -91,7 +91,7 @@ std::vector<SettingInfo> describe(const Settings& settings) {
       info.value = info.choices[static_cast<std::size_t>(value)];
     } else {
       info.kind = std::is_integral_v<T> ? SettingInfo::Kind::integer : SettingInfo::Kind::real;
-      info.value = numberText(static_cast<double>(value));
+      info.value = numberText(value);
     }
     infos.push_back(std::move(info));
   });

@@ -51,17 +51,13 @@ Json worldJson(const Scene& scene, const glm::vec3& p) {
 
 Json partsJson(const Model& model) {
   Json parts = Json::array();
-  for (const Instance& instance : model.rig.instances) {
-    Json part;
-    part["node"] = instance.node;
-    part["mesh"] = instance.mesh;
-    part["primitive"] = instance.primitive;
-    part["first_triangle"] = instance.firstTriangle;
-    part["triangles"] = instance.triangleCount;
-    part["material"] = nullptr;
-    if (instance.triangleCount > 0) part["material"] = model.scene.triangles[instance.firstTriangle].material;
-    parts.push_back(std::move(part));
-  }
+  for (const Part& part : model.parts)
+    parts.push_back({{"node", part.node},
+                     {"mesh", part.mesh},
+                     {"primitive", part.primitive},
+                     {"first_triangle", part.firstTriangle},
+                     {"triangles", part.triangleCount},
+                     {"material", part.material}});
   return parts;
 }
 

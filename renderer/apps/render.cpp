@@ -83,7 +83,7 @@ class Outputs {
  private:
   void add(std::optional<AtomicFile>& file, const std::string& path) {
     if (path.empty()) return;
-    const std::filesystem::path absolute = std::filesystem::weakly_canonical(path);
+    const std::filesystem::path absolute = std::filesystem::weakly_canonical(std::filesystem::absolute(path));
     if (std::find(paths_.begin(), paths_.end(), absolute) != paths_.end())
       throw Error(ErrorKind::usage, path + " is named for two outputs");
     paths_.push_back(absolute);

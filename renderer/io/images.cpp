@@ -62,8 +62,8 @@ ImageFile readImage(const std::filesystem::path& file) {
   ImageFile result;
   std::string problem;
   try {
-    const bool read =
-        openImageIo().read ? openImageIo().read(file.string(), result, problem) : decodeSmall(bytes, result, problem);
+    const bool read = knowsFormat(bytes) || !openImageIo().read ? decodeSmall(bytes, result, problem)
+                                                                : openImageIo().read(file.string(), result, problem);
     if (!read) reject(file, problem.empty() ? "does not decode" : problem);
   } catch (const std::bad_alloc&) {
     reject(file, "too large for this machine's memory");

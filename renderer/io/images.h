@@ -10,9 +10,10 @@
 #include "core/image.h"
 #include "scene/scene.h"
 
-// Images in and out. Files are written with stb (PNG) and tinyexr (EXR). They are read, and compared perceptually, with
-// OpenImageIO where the project is built with it; because its 260 shared libraries cost a quarter of a second to load,
-// it sits in a module that is opened on first use (see openimageio_module.h). Without it stb and tinyexr read, too.
+// Images in and out. stb reads and writes PNG and reads JPEG and HDR, tinyexr writes EXR. OpenImageIO, where the
+// project is built with it, reads EXR and all other formats and compares perceptually; because its 260 shared libraries
+// cost a quarter of a second to load, it sits in a module that is opened on first use (see openimageio_module.h).
+// Without it tinyexr reads EXR, too.
 namespace halfsilver {
 
 struct ImageFile {

@@ -8,10 +8,13 @@
 #include <limits>
 #include <memory>
 #include <numeric>
+#include <string_view>
 
 #define STB_IMAGE_IMPLEMENTATION
 #define STB_IMAGE_STATIC
-#define STBI_NO_GIF
+#define STBI_ONLY_PNG
+#define STBI_ONLY_JPEG
+#define STBI_ONLY_HDR
 #include <stb_image.h>
 #define STB_IMAGE_WRITE_IMPLEMENTATION
 #define STB_IMAGE_WRITE_STATIC
@@ -154,6 +157,15 @@ bool decodeStb(std::span<const std::uint8_t> bytes, ImageFile& result, std::stri
 }
 
 }  // namespace
+
+bool knowsFormat(std::span<const std::uint8_t> bytes) {
+  const auto startsWith = [&](std::string_view magic) {
+    return bytes.size() > magic.size() &&
+           std::equal(magic.begin(), magic.end(), bytes.begin(),
+                      [](char a, std::uint8_t b) { return static_cast<std::uint8_t>(a) == b; });
+  };
+  return startsWith("\x89PNG") || startsWith("\xff\xd8\xff") || startsWith("#?R");
+}
 
 bool decodeSmall(std::span<const std::uint8_t> bytes, ImageFile& result, std::string& problem) {
   if (bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) {

@@ -9,8 +9,12 @@
 
 #include "io/images.h"
 
-// The codecs that are always there: stb for PNG, JPEG, HDR and a few more, tinyexr for scanline EXR.
+// The codecs that are always there: stb for PNG, JPEG and HDR, tinyexr for scanline EXR.
 namespace halfsilver {
+
+// Whether the bytes begin as a PNG, JPEG or HDR file, which stb reads in full. (OpenImageIO reads them, too, but its
+// libraries print their own errors.)
+bool knowsFormat(std::span<const std::uint8_t> bytes);
 
 // False with one line in `problem` when the bytes do not decode.
 bool decodeSmall(std::span<const std::uint8_t> bytes, ImageFile& result, std::string& problem);

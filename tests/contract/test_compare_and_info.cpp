@@ -1,0 +1,139 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+
+#include "program.h"
+
+namespace halfsilver {
+namespace {
+
+void writeFile(const std::filesystem::path& file, const std::vector<std::byte>& bytes) {
+  std::ofstream(file, std::ios::binary).write(reinterpret_cast<const char*>(bytes.data()), std::ssize(bytes));
+}
+
+// A pattern, moved to the right by `shift` pixels.
+std::vector<std::byte> pattern(int shift) {
+  std::vector<std::uint8_t> pixels;
+  for (int y = 0; y < 64; ++y)
+    for (int x = 0; x < 64; ++x)
+      for (const int value : {((x - shift) / 8 + y / 8) % 2 ? 220 : 30, (x - shift) & 255, y * 4, 255})
+        pixels.push_back(static_cast<std::uint8_t>(value));
+  return encodePng(64, 64, pixels);
+}
+
+nlohmann::json compareJson(const TemporaryFolder& folder, const std::string& arguments) {
+  const ProgramResult result = runProgramIn(folder, "compare --json " + arguments);
+  EXPECT_EQ(result.exitCode, 0) << result.err;
+  return nlohmann::json::parse(result.out, nullptr, false);
+}
+
+TEST(CompareCommand, IdenticalAndShiftedImages) {
+  const TemporaryFolder folder;
+  writeFile(folder / "a.png", pattern(0));
+  writeFile(folder / "b.png", pattern(3));
+  const auto same = compareJson(folder, "a.png a.png");
+  EXPECT_EQ(same["rmse"], 0.0);
+  EXPECT_EQ(same["max_error"], 0.0);
+  EXPECT_TRUE(same["psnr_db"].is_null());
+  EXPECT_FALSE(same.contains("hit_error"));
+  const auto shifted = compareJson(folder, "b.png a.png");
+  EXPECT_GT(shifted["rmse"], 0.1);
+  EXPECT_NEAR(shifted["psnr_db"].get<double>(), -20 * std::log10(shifted["rmse"].get<double>()), 1e-6);
+  EXPECT_GT(shifted["max_error"], 0.5);
+  EXPECT_LE(shifted["max_error"], 1.0);
+  if (HALFSILVER_OPENIMAGEIO) {
+    EXPECT_EQ(same["yee_failures"], 0);
+    EXPECT_EQ(same["yee_fail_fraction"], 0.0);
+    EXPECT_GT(shifted["yee_failures"], 100);
+    EXPECT_GT(shifted["yee_fail_fraction"], 0.02);
+  } else {
+    EXPECT_TRUE(same["yee_failures"].is_null());
+  }
+  const ProgramResult text = runProgramIn(folder, "compare a.png a.png");
+  EXPECT_EQ(text.exitCode, 0);
+  EXPECT_NE(text.out.find("psnr_db             inf"), std::string::npos) << text.out;
+}
+
+TEST(CompareCommand, DifferentSizesAre3) {
+  const TemporaryFolder folder;
+  writeFile(folder / "a.png", pattern(0));
+  writeFile(folder / "b.png", encodePng(2, 2, std::vector<std::uint8_t>(16, 9)));
+  const ProgramResult result = runProgramIn(folder, "compare a.png b.png --json");
+  EXPECT_EQ(result.exitCode, 3);
+  EXPECT_NE(result.err.find("64x64"), std::string::npos) << result.err;
+  EXPECT_EQ(result.out, "");
+}
+
+TEST(CompareCommand, LayersOfTwoMethods) {
+  const TemporaryFolder folder;
+  const std::string common = kQuickSphere + "--stats s.json -o a.png ";
+  ASSERT_EQ(runProgramIn(folder, common + "--layers a.exr").exitCode, 0);
+  ASSERT_EQ(runProgramIn(folder, common + "--layers b.exr --set select.fraction=0.5").exitCode, 0);
+  const auto same = compareJson(folder, "a.exr a.exr");
+  for (const char* key : {"hit_error", "false_miss", "false_hit", "wrong_id", "selected_mismatch"})
+    EXPECT_EQ(same[key], 0.0) << key;
+  // Half of the pixels are left out: they are what differs, and every hit among them is missed.
+  const auto half = compareJson(folder, "b.exr a.exr");
+  EXPECT_NEAR(half["selected_mismatch"].get<double>(), 0.5, 0.1);
+  EXPECT_GT(half["false_miss"], 0.1);
+  EXPECT_EQ(half["false_hit"], 0.0);
+  EXPECT_EQ(half["hit_error"], half["false_miss"]);
+}
+
+TEST(InfoCommand, SaysWhatTheSceneHolds) {
+  const TemporaryFolder folder;
+  writeWall(folder, 10);
+  const ProgramResult result = runProgramIn(folder, "info wall.gltf --json");
+  ASSERT_EQ(result.exitCode, 0) << result.err;
+  EXPECT_EQ(result.err, "");
+  const auto json = nlohmann::json::parse(result.out);
+  EXPECT_EQ(json["triangles"], 1);
+  EXPECT_EQ(json["vertices"], 3);
+  ASSERT_EQ(json["materials"].size(), 1u);
+  EXPECT_EQ(json["materials"][0]["name"], "paint");
+  EXPECT_EQ(json["materials"][0]["double_sided"], true);
+  EXPECT_EQ(json["materials"][0]["alpha_mode"], "opaque");
+  // glTF's default is a metal: its reflectance is the luminance of its colour.
+  EXPECT_NEAR(json["materials"][0]["reflectivity"].get<double>(), 0.2126 * 0.8 + 0.7152 * 0.2 + 0.0722 * 0.1, 1e-6);
+  EXPECT_EQ(json["bounds"]["low"], nlohmann::json::array({-90.0, -100.0, 0.0}));
+  EXPECT_EQ(json["bounds"]["high"], nlohmann::json::array({110.0, 100.0, 0.0}));
+  EXPECT_NEAR(json["diagonal"].get<double>(), std::hypot(200, 200), 1e-3);
+  ASSERT_EQ(json["cameras"].size(), 1u);
+  EXPECT_EQ(json["cameras"][0]["name"], "near");
+  EXPECT_EQ(json["cameras"][0]["eye"], nlohmann::json::array({10.0, 0.0, 5.0}));
+  ASSERT_EQ(json["parts"].size(), 1u);
+  const auto& part = json["parts"][0];
+  EXPECT_EQ(part["node"], "wall");
+  EXPECT_EQ(part["primitive"], 0);
+  EXPECT_EQ(part["first_triangle"], 0);
+  EXPECT_EQ(part["triangles"], 1);
+  EXPECT_EQ(part["material"], 0);
+  EXPECT_EQ(json["dropped"]["degenerate"], 0);
+  EXPECT_EQ(json["dropped"]["non_finite"], 0);
+  EXPECT_TRUE(json["animations"].empty());
+  EXPECT_TRUE(json["warnings"].is_array());
+  const ProgramResult text = runProgramIn(folder, "info wall.gltf");
+  EXPECT_EQ(text.exitCode, 0);
+  EXPECT_NE(text.out.find("paint"), std::string::npos) << text.out;
+}
+
+TEST(InfoCommand, KnowsTheBuiltInScenes) {
+  const TemporaryFolder folder;
+  const ProgramResult result = runProgramIn(folder, "info builtin:sphere --json");
+  ASSERT_EQ(result.exitCode, 0) << result.err;
+  const auto json = nlohmann::json::parse(result.out);
+  EXPECT_GT(json["triangles"], 1000);
+  EXPECT_GT(json["cameras"].size(), 0u);
+}
+
+TEST(PresetsCommand, ListsEveryPresetWithWhatItSets) {
+  const TemporaryFolder folder;
+  const std::string list = runProgramIn(folder, "presets").out;
+  for (const char* text : {"deferred", "kastrati2017", "hu2014", "reference", "halfsilver", "trace.method=attributes",
+                           "abuffer.buffers=three"})
+    EXPECT_NE(list.find(text), std::string::npos) << text;
+}
+
+}  // namespace
+}  // namespace halfsilver

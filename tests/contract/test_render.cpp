@@ -1,0 +1,251 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <set>
+
+#include "io/images.h"
+#include "program.h"
+
+namespace halfsilver {
+namespace {
+
+void expectDone(const ProgramResult& result) { ASSERT_EQ(result.exitCode, 0) << result.err; }
+
+std::size_t distinctColours(const Image& image) {
+  std::set<std::vector<float>> colours;
+  const auto stride = static_cast<std::ptrdiff_t>(image.channels.size());
+  for (auto pixel = image.data.begin(); pixel != image.data.end(); pixel += stride)
+    colours.insert(std::vector<float>(pixel, pixel + 3));
+  return colours.size();
+}
+
+// What holds for every method; returns the share of selected pixels.
+double checkLayers(const Image& layers, bool tracesAll, bool tracesNone) {
+  for (const char* name :
+       {"R", "G", "B", "A", "depth.Z", "normal.X", "normal.Y", "normal.Z", "reflectivity.Y", "selected.Y", "hit.T",
+        "hit.id", "hit.nx", "hit.ny", "hit.nz", "reflection.R", "reflection.G", "reflection.B"})
+    EXPECT_GE(layers.channel(name), 0) << name;
+  std::size_t selected = 0, hits = 0, surfaces = 0, wrong = 0;
+  for (const float value : layers.data) wrong += !std::isfinite(value);
+  EXPECT_EQ(wrong, 0u) << "values that are not finite";
+  for (int y = 0; y < layers.height; ++y) {
+    for (int x = 0; x < layers.width; ++x) {
+      const auto at = [&](const char* name) { return valueAt(layers, name, x, y); };
+      const float t = at("hit.T");
+      const bool chosen = at("selected.Y") == 1, surface = at("depth.Z") > 0;
+      wrong += at("selected.Y") != 0 && at("selected.Y") != 1;
+      wrong += chosen && !surface;
+      wrong += chosen && !(t >= 0 || t == -1 || t == -3);
+      wrong += !chosen && t != -2;
+      wrong += (t >= 0) != (at("hit.id") >= 0);
+      wrong += t < 0 && at("hit.id") != -1;
+      const float normal = std::hypot(at("normal.X"), at("normal.Y"), at("normal.Z"));
+      wrong += surface && std::abs(normal - 1) > 1e-3f;
+      const float hitNormal = std::hypot(at("hit.nx"), at("hit.ny"), at("hit.nz"));
+      wrong += t >= 0 && std::abs(hitNormal - 1) > 2e-2f;
+      wrong += !tracesAll && chosen && !(at("reflectivity.Y") > 0);
+      selected += chosen;
+      surfaces += surface;
+      hits += t >= 0;
+    }
+  }
+  EXPECT_EQ(wrong, 0u) << "pixels or values that break an invariant";
+  EXPECT_GT(surfaces, layers.pixelCount() / 4);
+  EXPECT_LT(surfaces, layers.pixelCount()) << "no sky in sight";
+  if (tracesNone) {
+    EXPECT_EQ(selected, 0u);
+  }
+  if (!tracesNone) {
+    EXPECT_GT(hits, 0u);
+  }
+  if (tracesAll) {
+    EXPECT_EQ(selected, surfaces);
+  }
+  return static_cast<double>(selected) / static_cast<double>(layers.pixelCount());
+}
+
+struct PresetCase {
+  const char* name;
+  bool tracesAll, tracesNone;
+};
+
+class EveryPreset : public testing::TestWithParam<PresetCase> {};
+
+TEST_P(EveryPreset, PictureLayersAndStatisticsAgree) {
+  const PresetCase preset = GetParam();
+  if (std::string(preset.name) == "reference" && !HALFSILVER_EXACT) GTEST_SKIP() << "built without Embree";
+  const TemporaryFolder folder;
+  const ProgramResult result =
+      runProgramIn(folder, kQuickSphere + "--preset " + preset.name + " -o a.png --stats s.json --layers l.exr");
+  expectDone(result);
+  EXPECT_EQ(result.err, "") << "progress or warnings in a pipe";
+  EXPECT_NE(result.out.find("composite"), std::string::npos) << result.out;
+  EXPECT_EQ(filesIn(folder), (std::vector<std::string>{"a.png", "l.exr", "s.json"}));
+
+  const ImageFile picture = readImage(folder / "a.png");
+  EXPECT_EQ(picture.image.width, 64);
+  EXPECT_EQ(picture.image.height, 36);
+  EXPECT_GT(distinctColours(picture.image), 200u);
+  const ImageFile layers = readImage(folder / "l.exr");
+  const double coverage = checkLayers(layers.image, preset.tracesAll, preset.tracesNone);
+  const auto json = readJson(folder / "s.json");
+  EXPECT_NEAR(json["pixels"]["coverage"].get<double>(), coverage, 1e-9);
+  ASSERT_TRUE(layers.diagonal.has_value());
+  EXPECT_NEAR(*layers.diagonal, json["scene"]["diagonal"].get<double>(), 1e-4);
+  EXPECT_EQ(json["memory"]["structure_total"] > 0, !preset.tracesNone);
+}
+
+INSTANTIATE_TEST_SUITE_P(Render, EveryPreset,
+                         testing::Values(PresetCase{"deferred", false, true}, PresetCase{"kastrati2017", false, false},
+                                         PresetCase{"hu2014", true, false}, PresetCase{"reference", false, false},
+                                         PresetCase{"halfsilver", false, false}),
+                         [](const auto& instance) { return instance.param.name; });
+
+TEST(Render, StatisticsHaveTheContractsSchema) {
+  const TemporaryFolder folder;
+  expectDone(runProgramIn(folder, kQuickSphere + "-o a.png --stats s.json --repeat 3"));
+  const auto json = readJson(folder / "s.json");
+  for (const char* key : {"vendor", "renderer", "version", "context"}) {
+    EXPECT_TRUE(json["device"][key].is_string()) << key;
+    EXPECT_NE(json["device"][key], "") << key;
+  }
+  EXPECT_EQ(json["scene"]["file"], "builtin:sphere");
+  EXPECT_GT(json["scene"]["triangles"], 100);
+  EXPECT_GT(json["scene"]["materials"], 1);
+  EXPECT_EQ(json["settings"]["voxels.resolution"], 16);
+  EXPECT_EQ(json["pixels"]["total"], 64 * 36);
+  EXPECT_GT(json["pixels"]["selected"], 0);
+  const double share = json["pixels"]["selected"].get<double>() / (64 * 36);
+  EXPECT_DOUBLE_EQ(json["pixels"]["coverage"].get<double>(), share);
+  const auto& memory = json["memory"];
+  for (const char* key : {"voxels", "heads", "pool_reserved", "pool_used", "fragments", "fragments_stored",
+                          "structure_total", "gbuffer", "peak"})
+    EXPECT_TRUE(memory[key].is_number_unsigned()) << key;
+  EXPECT_LE(memory["pool_used"], memory["pool_reserved"]);
+  EXPECT_LE(memory["fragments_stored"], memory["fragments"]);
+  EXPECT_GE(memory["structure_total"].get<std::uint64_t>(), memory["voxels"].get<std::uint64_t>() +
+                                                                memory["heads"].get<std::uint64_t>() +
+                                                                memory["pool_reserved"].get<std::uint64_t>());
+  EXPECT_GT(memory["peak"], memory["structure_total"]);
+  for (const char* stage :
+       {"shadow", "gbuffer", "select", "voxelize", "build", "trace", "shade", "composite", "frame"}) {
+    const auto& time = json["time_ms"][stage];
+    ASSERT_TRUE(time.is_object()) << stage;
+    EXPECT_LE(time["min"], time["median"]) << stage;
+    EXPECT_LE(time["median"], time["max"]) << stage;
+    EXPECT_TRUE(time["runs"].is_number_unsigned()) << stage;
+  }
+  const auto& frame = json["time_ms"]["frame"];
+  EXPECT_EQ(frame["runs"].get<int>() + frame["rejected"].get<int>(), 3);
+  EXPECT_GT(frame["median"], json["time_ms"]["trace"]["median"]);
+  EXPECT_EQ(json["overflow"], 0);
+  EXPECT_TRUE(json["warnings"].is_array());
+}
+
+TEST(Render, TwoRunsAreIdentical) {
+  const TemporaryFolder folder;
+  expectDone(runProgramIn(folder, kQuickSphere + "-o a.png --layers a.exr"));
+  expectDone(runProgramIn(folder, kQuickSphere + "-o b.png --layers b.exr"));
+  EXPECT_TRUE(readText(folder / "a.png") == readText(folder / "b.png"));
+  EXPECT_TRUE(readText(folder / "a.exr") == readText(folder / "b.exr"));
+}
+
+TEST(Render, LinearPictureIsTheLayersColour) {
+  const TemporaryFolder folder;
+  expectDone(runProgramIn(folder, kQuickSphere + "--preset deferred -o a.exr --layers l.exr"));
+  const Image picture = readImage(folder / "a.exr").image, layers = readImage(folder / "l.exr").image;
+  EXPECT_EQ(picture.channelCount(), 4);
+  for (const char* channel : {"R", "G", "B", "A"})
+    for (int x = 0; x < picture.width; x += 7)
+      EXPECT_EQ(valueAt(picture, channel, x, 30), valueAt(layers, channel, x, 30)) << channel << ' ' << x;
+}
+
+TEST(Render, WorldCamerasKeepTheirPrecisionFarAway) {
+  for (const double east : {0.0, 5e6}) {
+    SCOPED_TRACE(east);
+    const TemporaryFolder folder;
+    writeWall(folder, east);
+    const std::string x = std::to_string(east);
+    expectDone(
+        runProgramIn(folder, "render wall.gltf --preset deferred --size 33x33 -o a.png --layers l.exr --fov 60 --eye " +
+                                 x + ",0,7.5 --target " + x + ",0,0"));
+    const Image layers = readImage(folder / "l.exr").image;
+    EXPECT_NEAR(valueAt(layers, "depth.Z", 16, 16), 7.5, 1e-4);
+    EXPECT_NEAR(valueAt(layers, "depth.Z", 3, 29), 7.5, 1e-4) << "depth is along the view axis";
+    EXPECT_NEAR(valueAt(layers, "normal.Z", 16, 16), 1, 1e-6);
+  }
+}
+
+TEST(Render, CamerasByNameAndIndexAndTheDefaultAreTheSame) {
+  const TemporaryFolder folder;
+  writeWall(folder);
+  const std::string render = "render wall.gltf --preset deferred --size 16x9 ";
+  expectDone(runProgramIn(folder, render + "-o a.exr --layers a2.exr"));
+  expectDone(runProgramIn(folder, render + "-o b.exr --camera near"));
+  expectDone(runProgramIn(folder, render + "-o c.exr --camera 0"));
+  expectDone(runProgramIn(folder, render + "-o d.exr --fov 20"));
+  EXPECT_TRUE(readText(folder / "a.exr") == readText(folder / "b.exr"));
+  EXPECT_TRUE(readText(folder / "a.exr") == readText(folder / "c.exr"));
+  EXPECT_NEAR(valueAt(readImage(folder / "a2.exr").image, "depth.Z", 8, 4), 5, 1e-4);
+}
+
+TEST(Render, MirrorsHaveTheGivenReflectanceAndUseTheSky) {
+  const TemporaryFolder folder;
+  writeWall(folder);
+  Image sky{4, 2, {"R", "G", "B"}, {}};
+  for (int i = 0; i < 8; ++i) sky.data.insert(sky.data.end(), {2.0f, 0.5f, 0.25f});
+  const std::vector<std::byte> bytes = encodeExr(sky);
+  std::ofstream(folder / "sky.exr", std::ios::binary)
+      .write(reinterpret_cast<const char*>(bytes.data()), std::ssize(bytes));
+  const std::string render = "render wall.gltf --size 33x33 --sky sky.exr --set shadow.sky_directions=0 ";
+  expectDone(runProgramIn(folder, render + "-o a.png --layers l.exr --mirror '*=0.25' --mirror paint=1"));
+  const Image layers = readImage(folder / "l.exr").image;
+  EXPECT_NEAR(valueAt(layers, "reflectivity.Y", 16, 16), 1, 1e-6) << "the last --mirror wins";
+  EXPECT_EQ(valueAt(layers, "selected.Y", 16, 16), 1);
+  EXPECT_EQ(valueAt(layers, "hit.T", 16, 16), -1);
+  // A perfect mirror of a constant sky shows that sky.
+  EXPECT_NEAR(valueAt(layers, "R", 16, 16), 2, 1e-3);
+  EXPECT_NEAR(valueAt(layers, "G", 16, 16), 0.5, 1e-3);
+  EXPECT_NEAR(valueAt(layers, "B", 16, 16), 0.25, 1e-3);
+}
+
+TEST(Render, SettingsComeInOrder) {
+  const TemporaryFolder folder;
+  writeWall(folder);
+  std::ofstream(folder / "a.toml") << "[voxels]\nresolution = 32\n[trace]\nbounces = 2\n[abuffer]\nresolution = 64\n";
+  expectDone(runProgramIn(folder,
+                          "render wall.gltf --size 8x8 -o a.png --stats s.json --config a.toml --bounces 3 "
+                          "--set voxels.resolution=8 --set trace.bounces=4"));
+  const auto settings = readJson(folder / "s.json")["settings"];
+  EXPECT_EQ(settings["abuffer.resolution"], 64);
+  EXPECT_EQ(settings["voxels.resolution"], 8);
+  EXPECT_EQ(settings["trace.bounces"], 3);
+}
+
+TEST(Render, WarningsGoToStderrAndTheStatistics) {
+  const TemporaryFolder folder;
+  writeWall(folder);
+  const ProgramResult result =
+      runProgramIn(folder, "render wall.gltf --preset deferred --size 8x8 -o a.png --stats s.json --time 1");
+  expectDone(result);
+  EXPECT_NE(result.err.find("warning: the scene has no animation"), std::string::npos) << result.err;
+  bool found = false;
+  const nlohmann::json json = readJson(folder / "s.json");
+  for (const auto& warning : json["warnings"])
+    found |= warning.get<std::string>().find("no animation") != std::string::npos;
+  EXPECT_TRUE(found);
+}
+
+TEST(Render, ReplacesAnOldPicture) {
+  const TemporaryFolder folder;
+  writeWall(folder);
+  std::ofstream(folder / "a.png") << "old";
+  EXPECT_NE(runProgramIn(folder, "render missing.gltf --size 8x8 -o a.png").exitCode, 0);
+  EXPECT_EQ(readText(folder / "a.png"), "old");
+  expectDone(runProgramIn(folder, "render wall.gltf --preset deferred --size 8x8 -o a.png"));
+  EXPECT_EQ(readImage(folder / "a.png").image.width, 8);
+}
+
+}  // namespace
+}  // namespace halfsilver

@@ -1,0 +1,132 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <map>
+
+#include "core/error.h"
+#include "io/settings_file.h"
+#include "temporary_folder.h"
+
+namespace halfsilver {
+namespace {
+
+std::string problemOf(const std::string& text) {
+  Settings settings;
+  try {
+    applySettingsText(settings, text, "a.toml");
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::badInput);
+    EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
+    return error.what();
+  }
+  ADD_FAILURE() << "accepted: " << text;
+  return {};
+}
+
+TEST(SettingsFile, SetsWhatItNamesAndNothingElse) {
+  Settings settings;
+  applySettingsText(settings,
+                    "select.mode = \"all\"\n[voxels]\nresolution = 32\n[abuffer]\nsorted = true\n"
+                    "[image]\nexposure = -1.5\n",
+                    "a.toml");
+  EXPECT_EQ(settings.select.mode, SelectMode::all);
+  EXPECT_EQ(settings.voxels.resolution, 32);
+  EXPECT_TRUE(settings.abuffer.sorted);
+  EXPECT_FLOAT_EQ(settings.image.exposure, -1.5f);
+  Settings expected;
+  expected.select.mode = SelectMode::all;
+  expected.voxels.resolution = 32;
+  expected.abuffer.sorted = true;
+  expected.image.exposure = -1.5f;
+  const auto values = describe(settings), wanted = describe(expected);
+  for (std::size_t i = 0; i < values.size(); ++i) EXPECT_EQ(values[i].value, wanted[i].value) << values[i].name;
+}
+
+TEST(SettingsFile, NamesFileAndLineOfWhatIsWrong) {
+  EXPECT_EQ(problemOf("[voxels]\nresolution = 32\nresolutoin = 3\n"), "a.toml:3: unknown setting 'voxels.resolutoin'");
+  EXPECT_EQ(problemOf("\n[nonsense]\na = 1\n"), "a.toml:2: unknown section [nonsense]");
+  EXPECT_EQ(problemOf("[voxels]\nresolution = \"32\"\n"),
+            "a.toml:2: setting voxels.resolution: must be a whole number");
+  EXPECT_EQ(problemOf("[voxels]\nresolution = 3.5\n"), "a.toml:2: setting voxels.resolution: must be a whole number");
+  EXPECT_EQ(problemOf("[abuffer]\nsorted = 1\n"), "a.toml:2: setting abuffer.sorted: must be true or false");
+  EXPECT_EQ(problemOf("[select]\nmode = true\n"), "a.toml:2: setting select.mode: must be a text in quotes");
+  EXPECT_EQ(problemOf("[select]\nmode = []\n"), "a.toml:2: setting select.mode: must be a text in quotes");
+  EXPECT_TRUE(problemOf("[voxels]\n\nresolution = 0\n").starts_with("a.toml:3: setting voxels.resolution: '0' is not"));
+  EXPECT_TRUE(problemOf("[image]\nexposure = nan\n").starts_with("a.toml:2: setting image.exposure: 'nan' is not"));
+  EXPECT_TRUE(
+      problemOf("[select]\nmode = \"some\"\n").starts_with("a.toml:2: setting select.mode: 'some' is not one of"));
+  EXPECT_TRUE(problemOf("[voxels]\nresolution = = 3\n").starts_with("a.toml:2: "));
+  EXPECT_TRUE(problemOf("voxels = 3\n").starts_with("a.toml:1: "));
+  EXPECT_TRUE(problemOf("[voxels.resolution]\na = 3\n").starts_with("a.toml:1: "));
+  EXPECT_TRUE(problemOf("\xff\xfe\x00").starts_with("a.toml:1: "));
+}
+
+TEST(SettingsFile, LeavesTheSettingsAloneWhenSomethingIsWrong) {
+  Settings settings;
+  EXPECT_THROW(applySettingsText(settings, "[abuffer]\nresolution = 64\nwrong = 1\n", "a.toml"), Error);
+  EXPECT_EQ(settings.abuffer.resolution, Settings{}.abuffer.resolution);
+}
+
+TEST(SettingsFile, ReadsFiles) {
+  const TemporaryFolder folder;
+  std::ofstream(folder / "a.toml") << "[search]\nsteps = 3\n";
+  std::ofstream(folder / "empty.toml");
+  Settings settings;
+  applySettingsFile(settings, folder / "a.toml");
+  applySettingsFile(settings, folder / "empty.toml");
+  EXPECT_EQ(settings.search.steps, 3);
+  EXPECT_THROW(applySettingsFile(settings, folder / "missing.toml"), Error);
+  EXPECT_THROW(applySettingsFile(settings, folder.path()), Error);
+}
+
+TEST(Presets, AreThePublishedSystemsAndHoldNoDefaults) {
+  std::map<std::string, Preset> byName;
+  for (const Preset& preset : presets()) {
+    EXPECT_FALSE(preset.description.empty()) << preset.name;
+    byName[preset.name] = preset;
+  }
+  for (const char* name : {"deferred", "kastrati2017", "hu2014", "reference", "halfsilver"})
+    ASSERT_TRUE(byName.count(name)) << name;
+  EXPECT_TRUE(byName["halfsilver"].values.empty());
+  // What a file names is what it changes: as many values as lines "key = value".
+  for (const PresetFile& file : presetFiles()) {
+    std::size_t assignments = 0;
+    bool lineStart = true, comment = false;
+    for (const char c : file.text) {
+      if (lineStart) comment = c == '#';
+      lineStart = c == '\n';
+      assignments += c == '=' && !comment;
+    }
+    EXPECT_EQ(byName[std::string(file.name)].values.size(), assignments) << file.name << " repeats a default";
+  }
+}
+
+TEST(Presets, ApplyByName) {
+  Settings settings;
+  applyPreset(settings, "kastrati2017");
+  EXPECT_EQ(settings.trace.method, Method::attributes);
+  EXPECT_EQ(settings.select.mode, SelectMode::reflective);
+  EXPECT_EQ(settings.abuffer.buffers, Buffers::single);
+  EXPECT_EQ(settings.abuffer.lists, Lists::pages);
+  EXPECT_EQ(settings.abuffer.pageSize, 4);
+  EXPECT_EQ(settings.abuffer.resolution, 1024);
+  EXPECT_EQ(settings.voxels.resolution, 64);
+  EXPECT_EQ(settings.search.steps, 3);
+  settings = {};
+  applyPreset(settings, "hu2014");
+  EXPECT_EQ(settings.select.mode, SelectMode::all);
+  EXPECT_EQ(settings.abuffer.buffers, Buffers::three);
+  EXPECT_EQ(settings.abuffer.lists, Lists::linked);
+  EXPECT_TRUE(settings.abuffer.sorted);
+  try {
+    applyPreset(settings, "nosuch");
+    FAIL() << "accepted";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::usage);
+    EXPECT_NE(std::string(error.what()).find("kastrati2017"), std::string::npos) << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace halfsilver

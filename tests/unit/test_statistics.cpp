@@ -1,0 +1,110 @@
+#include "apps/statistics.h"
+
+#include <gtest/gtest.h>
+
+#include "apps/arguments.h"
+#include "core/error.h"
+
+namespace halfsilver {
+namespace {
+
+StageSummary stageOf(const std::vector<StageSummary>& all, const std::string& name) {
+  for (const StageSummary& stage : all)
+    if (stage.stage == name) return stage;
+  ADD_FAILURE() << "no stage " << name;
+  return {};
+}
+
+std::vector<StageSummary> summarize(const std::vector<double>& samples) {
+  StageTimes times;
+  for (const double sample : samples) times.add(std::vector<StageTime>{{"trace", sample}});
+  return times.summarize();
+}
+
+TEST(StageTimes, MedianMinMax) {
+  const StageSummary odd = stageOf(summarize({3, 1, 2}), "trace");
+  EXPECT_EQ(odd.median, 2);
+  EXPECT_EQ(odd.min, 1);
+  EXPECT_EQ(odd.max, 3);
+  EXPECT_EQ(odd.runs, 3u);
+  EXPECT_EQ(odd.rejected, 0u);
+  EXPECT_EQ(stageOf(summarize({1, 2, 3, 5}), "trace").median, 2.5);
+}
+
+TEST(StageTimes, RejectsAbsurdAnswersAndCountsThem) {
+  const StageSummary stage = stageOf(summarize({2, -1, 2.5, 3, 500, 2.2}), "trace");
+  EXPECT_EQ(stage.rejected, 2u);
+  EXPECT_EQ(stage.runs, 4u);
+  EXPECT_EQ(stage.max, 3);
+  const StageSummary none = stageOf(summarize({-1, -1}), "trace");
+  EXPECT_EQ(none.runs, 0u);
+  EXPECT_EQ(none.rejected, 2u);
+  EXPECT_EQ(none.median, 0);
+  // Of two runs nothing says which is wrong; runs of 0 ms reject nothing.
+  EXPECT_EQ(stageOf(summarize({1, 100}), "trace").rejected, 0u);
+  EXPECT_EQ(stageOf(summarize({0, 0, 0.1}), "trace").rejected, 0u);
+}
+
+TEST(StageTimes, AllStagesAreAlwaysThereAndOthersFollow) {
+  StageTimes times;
+  times.add(std::vector<StageTime>{{"extra", 4}, {"gbuffer", 1}});
+  const auto all = times.summarize();
+  const std::vector<std::string> contract = {"shadow", "gbuffer", "select",    "voxelize", "build",
+                                             "trace",  "shade",   "composite", "frame",    "extra"};
+  ASSERT_EQ(all.size(), contract.size());
+  for (std::size_t i = 0; i < all.size(); ++i) EXPECT_EQ(all[i].stage, contract[i]);
+  EXPECT_EQ(stageOf(all, "trace").runs, 0u);
+}
+
+TEST(Statistics, JsonHasTheContractsNames) {
+  RunStatistics s;
+  s.stages = StageTimes{}.summarize();
+  s.report.pixels = 200;
+  s.report.selected = 50;
+  s.sceneFile = "caf\xff.glb";  // not UTF-8
+  s.warnings = {"one"};
+  const auto json = nlohmann::json::parse(dump(toJson(s)));
+  for (const char* key : {"vendor", "renderer", "version", "context"}) EXPECT_TRUE(json["device"].contains(key)) << key;
+  for (const char* key : {"file", "triangles", "materials"}) EXPECT_TRUE(json["scene"].contains(key)) << key;
+  for (const char* key : {"voxels", "heads", "pool_reserved", "pool_used", "fragments", "fragments_stored",
+                          "bytes_per_fragment", "structure_total", "gbuffer", "peak"})
+    EXPECT_TRUE(json["memory"].contains(key)) << key;
+  for (const std::string& stage : stageNames())
+    for (const char* key : {"median", "min", "max", "runs"})
+      EXPECT_TRUE(json["time_ms"][stage].contains(key)) << stage << ' ' << key;
+  EXPECT_EQ(json["pixels"]["coverage"], 0.25);
+  EXPECT_EQ(json["pixels"]["total"], 200);
+  EXPECT_EQ(json["settings"]["voxels.resolution"], Settings{}.voxels.resolution);
+  EXPECT_EQ(json["settings"]["select.mode"], "reflective");
+  EXPECT_EQ(json["settings"]["abuffer.sorted"], false);
+  EXPECT_EQ(json["settings"].size(), describe(Settings{}).size());
+  EXPECT_EQ(json["overflow"], 0);
+  EXPECT_EQ(json["warnings"], nlohmann::json::array({"one"}));
+}
+
+TEST(Arguments, Sizes) {
+  EXPECT_EQ(parseSize("960x540").width, 960);
+  EXPECT_EQ(parseSize("1x16384").height, 16384);
+  for (const char* text : {"", "x", "960", "960x", "x540", "0x0", "-1x5", "99999x1", "1x16385", "9.5x3", "3x3x3",
+                           " 3x3", "99999999999999999999x1"})
+    EXPECT_THROW(parseSize(text), Error) << text;
+}
+
+TEST(Arguments, Vectors) {
+  EXPECT_EQ(parseVector("--eye", "-1,2.5,3e2"), glm::dvec3(-1, 2.5, 300));
+  for (const char* text : {"", "1", "1,2", "1,2,3,4", "1,,3", "a,b,c", "nan,0,0", "inf,0,0", "1,2,3 "})
+    EXPECT_THROW(parseVector("--eye", text), Error) << text;
+}
+
+TEST(Arguments, MirrorsAndSettings) {
+  EXPECT_EQ(parseMirror("a=b=0.5").material, "a=b");
+  EXPECT_FLOAT_EQ(parseMirror("*=1").reflectivity, 1.0f);
+  for (const char* text : {"", "floor", "=1", "floor=", "floor=2", "floor=-0.1", "floor=nan", "floor=x"})
+    EXPECT_THROW(parseMirror(text), Error) << text;
+  EXPECT_EQ(parseSetting("a.b=c=d").value, "c=d");
+  EXPECT_THROW(parseSetting("a.b"), Error);
+  EXPECT_THROW(parseSetting("=1"), Error);
+}
+
+}  // namespace
+}  // namespace halfsilver
