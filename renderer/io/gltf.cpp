@@ -40,10 +40,26 @@ bool keepEncoded(tinygltf::Image* image, int, std::string*, std::string*, int, i
   return true;
 }
 
+// The parser's way to files.
+struct Files {
+  std::string folder;                      // of the scene
+  std::vector<std::size_t> bufferLengths;  // what external buffers declare; the parser reads them first, in order
+  std::size_t buffersRead = 0;
+};
+
 // The parser also looks in the working directory; only files beside the scene count.
-bool isBeside(const std::string& path, void* folder) {
+bool isBeside(const std::string& path, void* user) {
   std::error_code error;
-  return path.starts_with(*static_cast<const std::string*>(folder)) && std::filesystem::is_regular_file(path, error);
+  return path.starts_with(static_cast<const Files*>(user)->folder) && std::filesystem::is_regular_file(path, error);
+}
+
+// A buffer's file may be longer than the buffer, which the parser refuses.
+bool readExternal(std::vector<unsigned char>* bytes, std::string* error, const std::string& path, void* user) {
+  if (!tinygltf::ReadWholeFile(bytes, error, path, nullptr)) return false;
+  Files& files = *static_cast<Files*>(user);
+  if (files.buffersRead < files.bufferLengths.size())
+    bytes->resize(std::min(bytes->size(), files.bufferLengths[files.buffersRead++]));
+  return true;
 }
 
 std::string firstLine(const std::string& text) {
@@ -58,18 +74,17 @@ tinygltf::Model parse(const std::filesystem::path& path, Diagnostics& diagnostic
   const std::size_t first = text.find_first_not_of(" \t\r\n\xef\xbb\xbf");
   if (!binary && (first == std::string_view::npos || text[first] != '{'))
     diagnostics.fail("is not a glTF file", "it begins with neither 'glTF' nor '{'");
-  checkJson(binary ? checkBinary(bytes, diagnostics) : text, binary, diagnostics);
-
-  std::string folder = std::filesystem::absolute(path).parent_path().string();
+  Files files;
+  files.bufferLengths = checkJson(binary ? checkBinary(bytes, diagnostics) : text, binary, diagnostics);
+  files.folder = std::filesystem::absolute(path).parent_path().string();
   tinygltf::TinyGLTF loader;
   loader.SetImageLoader(keepEncoded, nullptr);
-  loader.SetFsCallbacks(
-      {isBeside, tinygltf::ExpandFilePath, tinygltf::ReadWholeFile, tinygltf::WriteWholeFile, &folder});
+  loader.SetFsCallbacks({isBeside, tinygltf::ExpandFilePath, readExternal, tinygltf::WriteWholeFile, &files});
   tinygltf::Model model;
   std::string error, warning;
   const auto size = static_cast<unsigned>(bytes.size());
-  const bool read = binary ? loader.LoadBinaryFromMemory(&model, &error, &warning, bytes.data(), size, folder)
-                           : loader.LoadASCIIFromString(&model, &error, &warning, text.data(), size, folder);
+  const bool read = binary ? loader.LoadBinaryFromMemory(&model, &error, &warning, bytes.data(), size, files.folder)
+                           : loader.LoadASCIIFromString(&model, &error, &warning, text.data(), size, files.folder);
   if (!read) diagnostics.fail(error.empty() ? "cannot be parsed" : firstLine(error), "");
   return model;
 }

@@ -86,6 +86,7 @@ class Builder {
     readMeshes();
     rest_ = evaluate(model_.rig, 0, -1);
     moving_ = movingNodes(model_.rig);
+    checkCounts();
     measure();
     flatten();
     addViews();
@@ -142,9 +143,8 @@ class Builder {
     return skin;
   }
 
-  // Bounds of what the triangles use, and with them the origin. Also refuses what would not fit before it is made.
-  void measure() {
-    WorldBounds bounds;
+  // Before anything is made of them.
+  void checkCounts() {
     std::size_t vertices = 0, triangles = 0;
     forEachPlaced([&](const Geometry& geometry) {
       vertices += geometry.shape.rest.size();
@@ -152,6 +152,14 @@ class Builder {
       if (vertices > kMostVertices || triangles > kMostTriangles)
         diagnostics_.fail("has more than " + std::to_string(kMostTriangles) + " triangles or vertices",
                           "its nodes' meshes together");
+    });
+    if (triangles == 0) diagnostics_.fail("has no triangles", document_.nodes.empty() ? "it has no nodes" : "scene");
+  }
+
+  // Bounds of what the triangles use, and with them the origin.
+  void measure() {
+    WorldBounds bounds;
+    forEachPlaced([&](const Geometry& geometry) {
       const auto positions = worldPositions(model_.rig, geometry.shape, rest_);
       for (const auto& triangle : geometry.triangles)
         for (const std::uint32_t index : triangle) {
@@ -163,7 +171,6 @@ class Builder {
           bounds.add(p);
         }
     });
-    if (triangles == 0) diagnostics_.fail("has no triangles", document_.nodes.empty() ? "it has no nodes" : "scene");
     const glm::dvec3 extent = bounds.high - bounds.low;
     if (const double largest = std::max({extent.x, extent.y, extent.z}); largest > kLargestExtent) {
       std::ostringstream text;

@@ -147,7 +147,7 @@ std::uint32_t littleEndian(std::span<const std::uint8_t> bytes, std::size_t offs
 
 }  // namespace
 
-void checkJson(std::string_view text, bool binary, Diagnostics& diagnostics) {
+std::vector<std::size_t> checkJson(std::string_view text, bool binary, Diagnostics& diagnostics) {
   checkNesting(text, diagnostics);
   json root;
   try {
@@ -180,6 +180,15 @@ void checkJson(std::string_view text, bool binary, Diagnostics& diagnostics) {
   checkNumbers(root, false, diagnostics, "");
   checkParts(root, diagnostics);
   checkAnimations(root, diagnostics);
+  std::vector<std::size_t> external;
+  for (const json& buffer : buffers) {
+    const auto uri = buffer.find("uri");
+    const auto length = buffer.find("byteLength");
+    if (uri != buffer.end() && uri->is_string() && !uri->get_ref<const std::string&>().starts_with("data:") &&
+        length != buffer.end())
+      external.push_back(length->get<std::size_t>());
+  }
+  return external;
 }
 
 std::string_view checkBinary(std::span<const std::uint8_t> bytes, const Diagnostics& diagnostics) {

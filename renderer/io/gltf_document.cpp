@@ -20,8 +20,12 @@ void Diagnostics::warn(const std::string& text) {
 }
 
 void Diagnostics::spend(std::uint64_t elements, const std::string& where) {
-  if (elements > budget) fail("unfolds to more data than is allowed", where);
+  require(elements, where);
   budget -= elements;
+}
+
+void Diagnostics::require(std::uint64_t elements, const std::string& where) const {
+  if (elements > budget) fail("unfolds to more data than is allowed", where);
 }
 
 std::string item(const char* list, std::size_t index) { return std::string(list) + "[" + std::to_string(index) + "]"; }

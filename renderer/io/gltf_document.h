@@ -143,6 +143,7 @@ struct Diagnostics {
   [[noreturn]] void fail(const std::string& what, const std::string& where) const;
   void warn(const std::string& text);  // said once, and not without end
   void spend(std::uint64_t elements, const std::string& where);
+  void require(std::uint64_t elements, const std::string& where) const;  // that so many could be spent
 };
 
 // "meshes[3]"

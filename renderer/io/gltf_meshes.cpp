@@ -222,6 +222,7 @@ class Reader {
   }
 
   void readTargets() {
+    diagnostics_.require(source_.targets.size() * vertices_.size() * 3, where_ + ".targets");
     for (std::size_t t = 0; t < source_.targets.size(); ++t) {
       Instance::MorphTarget target;
       for (const auto& [name, index] : source_.targets[t]) {

@@ -37,7 +37,7 @@ TEST(Gltf, OneTriangleInEveryContainer) {
   GltfFile file;
   file.triangle();
   const TemporaryFolder folder;
-  folder.write("the data.bin", file.buffer);
+  folder.write("the data.bin", file.buffer + "a file may be longer than its buffer");
   for (const auto& path :
        {folder.write("a.glb", file.glb()), folder.write("b.gltf", file.gltf()),
         folder.write("c.gltf", file.gltf("the%20data.bin")), folder.write("glb.with.another.name", file.glb())}) {

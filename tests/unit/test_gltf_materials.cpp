@@ -171,7 +171,7 @@ void expectBadImage(const json& image, const std::string& expected) {
 
 TEST(GltfMaterial, ImagesThatDoNotDecodeAreNamed) {
   std::string broken = smallPng();
-  broken[41] = 'y';  // the compression's header
+  broken[42] = 2;  // the kind of compressed block and its check
   std::string huge = smallPng();
   huge[16] = 0x7f;
   const auto inline_ = [](const std::string& bytes) { return json{{"uri", "data:image/png;base64," + base64(bytes)}}; };
