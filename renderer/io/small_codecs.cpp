@@ -83,6 +83,7 @@ bool decodeExr(std::span<const std::uint8_t> bytes, ImageFile& result, std::stri
   }
   ExrImage decoded;
   if (LoadEXRImageFromMemory(&decoded, &header, bytes.data(), bytes.size(), &message) != TINYEXR_SUCCESS) {
+    InitEXRImage(&decoded);  // the library has freed what it made but left the pointers
     problem = takeMessage(message, "the pixels do not decode");
     return false;
   }
