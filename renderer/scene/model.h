@@ -97,8 +97,10 @@ struct VertexRange {
   std::uint32_t first = 0, count = 0;
 };
 
-// Moves the scene to a time of its first animation (or the one named by `animation`), looping. Returns the vertex
-// ranges that changed. Node transforms are evaluated in double precision; positions are rounded to float once.
+// Moves the scene to a time of its first animation (or the one that `animation` counts; -1: the rest pose), looping.
+// Returns the vertex ranges that changed. Node transforms are evaluated in double precision; positions are rounded to
+// float once. Throws Error: usage for an unknown animation or a time that is not finite, badInput where vertices leave
+// the range of floats.
 std::vector<VertexRange> pose(Model& model, double seconds, int animation = 0);
 
 // World matrices of all nodes with the animation applied (double precision, world units).

@@ -241,6 +241,10 @@ std::vector<VertexRange> pose(Model& model, double seconds, int animation) {
   for (const Instance& instance : model.rig.instances) {
     moved.resize(instance.rest.size());
     place(model.rig, instance, state, scene.origin, moved);
+    for (const Vertex& vertex : moved)
+      if (!std::isfinite(vertex.position.x + vertex.position.y + vertex.position.z))
+        throw Error(ErrorKind::badInput, "an animation moves the scene out of range: node " +
+                                             std::to_string(instance.node) + " at " + std::to_string(seconds) + " s");
     Vertex* const old = scene.vertices.data() + instance.firstVertex;
     if (moved.empty() || std::memcmp(old, moved.data(), moved.size() * sizeof(Vertex)) == 0) continue;
     std::copy(moved.begin(), moved.end(), old);

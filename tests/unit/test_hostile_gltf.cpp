@@ -83,14 +83,24 @@ void expectConsistent(const Model& model) {
   ASSERT_EQ(model.rig.cameraNodes.size(), scene.cameras.size());
 }
 
+// An animation of sound numbers may still leave the range of floats.
+void play(Model& model) {
+  for (int animation = 0; animation < static_cast<int>(model.rig.animations.size()); ++animation) {
+    try {
+      pose(model, 0.4, animation);
+    } catch (const Error& error) {
+      EXPECT_EQ(error.kind(), ErrorKind::badInput) << error.what();
+    }
+  }
+}
+
 // The message, or nothing where the file loads.
 std::string load(const TemporaryFolder& folder, const std::string& bytes) {
   const auto path = folder.write("scene.gltf", bytes);
   try {
     Model model = loadGltf(path);
     expectConsistent(model);
-    for (int animation = 0; animation < static_cast<int>(model.rig.animations.size()); ++animation)
-      pose(model, 0.4, animation);
+    play(model);
     return "";
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::badInput) << error.what();

@@ -157,6 +157,14 @@ TEST(Pose, UnknownAnimationsAndTimesAreRefused) {
   EXPECT_THROW(pose(model, std::nan("")), Error);
 }
 
+TEST(Pose, AnimationsThatLeaveTheRangeOfFloatsAreRefused) {
+  GltfFile file = animated("translation", {0, 1}, {0, 0, 0, 3e38f, 0, 0}, "VEC3", "LINEAR");
+  file.root["nodes"][0]["scale"] = {1, 1, 1};
+  file.add("nodes", {{"scale", {10, 1, 1}}, {"children", {0}}});
+  Model model = load(file);
+  EXPECT_THROW(pose(model, 0.9), Error);
+}
+
 TEST(Pose, WorldMatricesAreThoseOfTheHierarchy) {
   GltfFile file = animated("translation", {0, 1}, {0, 0, 0, 0, 8, 0}, "VEC3", "LINEAR");
   file.add("nodes", {{"scale", {2, 2, 2}}, {"children", {0}}});
