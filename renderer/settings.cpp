@@ -38,6 +38,7 @@ void visitAll(S& s, Visitor&& visit) {
   visit("voxels.raster", s.voxels.raster, 0, 0, "how triangles reach voxels");
   visit("voxels.axis", s.voxels.axis, 0, 0, "how a dominant axis is chosen");
   visit("abuffer.resolution", s.abuffer.resolution, 1, 4096, "texels along each axis");
+  visit("abuffer.slabs", s.abuffer.slabs, 1, 64, "lists a texel, each for its share of the depth (identity)");
   visit("abuffer.page_size", s.abuffer.pageSize, 1, 64, "entries of a page");
   visit("abuffer.buffers", s.abuffer.buffers, 0, 0, "one buffer a fragment, or all three");
   visit("abuffer.lists", s.abuffer.lists, 0, 0, "pages or a linked list of entries");

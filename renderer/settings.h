@@ -49,7 +49,7 @@ struct SelectSettings {
 };
 
 struct VoxelSettings {
-  int resolution = 128;  // voxels along each axis, 1..512
+  int resolution = 64;  // voxels along each axis, 1..512
   VoxelRaster raster = VoxelRaster::conservative;
   AxisRule axis = AxisRule::own;
 
@@ -57,7 +57,8 @@ struct VoxelSettings {
 };
 
 struct ABufferSettings {
-  int resolution = 512;  // texels along each axis, 1..4096
+  int resolution = 128;  // texels along each axis, 1..4096
+  int slabs = 32;        // lists a texel, each for its share of the depth, 1..64; identity fragments only
   int pageSize = 4;      // entries a page, 1..64
   Buffers buffers = Buffers::single;
   Lists lists = Lists::pages;

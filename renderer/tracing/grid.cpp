@@ -2,7 +2,7 @@
 
 namespace halfsilver {
 
-Grid makeGrid(const Bounds& bounds, int voxels, int texels) {
+Grid makeGrid(const Bounds& bounds, int voxels, int texels, int slabs) {
   const glm::vec3 extent = bounds.extent();
   const float longest = glm::max(extent.x, glm::max(extent.y, extent.z));
   const float padding = longest > 0 ? 1e-3f * longest : 1.0f;
@@ -11,6 +11,7 @@ Grid makeGrid(const Bounds& bounds, int voxels, int texels) {
   grid.extent = extent + 2.0f * padding;
   grid.voxels = voxels;
   grid.texels = texels;
+  grid.slabs = slabs;
   return grid;
 }
 
@@ -19,6 +20,7 @@ void Grid::apply(const gl::Program& program) const {
   program.set("gridInverse", 1.0f / extent);
   program.set("voxelResolution", voxels);
   program.set("bufferResolution", texels);
+  program.set("depthSlabs", slabs);
 }
 
 }  // namespace halfsilver

@@ -14,6 +14,7 @@ struct Grid {
   glm::vec3 extent{1};  // metres
   int voxels = 1;       // along each axis
   int texels = 1;       // of the A-buffers, along each axis
+  int slabs = 1;        // lists a texel, each for its share of the depth
 
   float texelSize() const { return glm::max(extent.x, glm::max(extent.y, extent.z)) / static_cast<float>(texels); }
   // Sets the uniforms of shaders/tracing/grid.glsl.
@@ -21,6 +22,6 @@ struct Grid {
 };
 
 // The padding keeps every surface clear of the border, flat scenes included.
-Grid makeGrid(const Bounds& bounds, int voxels, int texels);
+Grid makeGrid(const Bounds& bounds, int voxels, int texels, int slabs = 1);
 
 }  // namespace halfsilver

@@ -33,7 +33,7 @@ bool counts(TraceRay ray, vec4 normalReflectivity, uint triangle) {
 
 Sample sampleAt(TraceRay ray, Slab slab, float t, ivec2 texel, inout int work) {
   Sample s = Sample(t, permute(ray.gridOrigin + ray.gridDirection * t, slab.axis).z, texel, 0, 0, noFragment, 0.0);
-  PageCursor it = firstEntry(heads[headIndex(slab.axis, texel)]);
+  PageCursor it = firstEntry(heads[headIndex(slab.axis, 0, texel)]);
   bool going = it.entry != noCursor;
   while (going) {
     float depth = imageLoad(pool, int(it.entry) * ENTRY_TEXELS).w;

@@ -40,7 +40,7 @@ void main() {
   when ((materials[triangleAt(inTriangle).w].flags & MATERIAL_CUT) != 0u) covered = !cutAway(inTriangle, barycentrics);
   if (covered) countAt(COUNTER_FRAGMENTS, texel);
   when (covered && (storeAll == 1 || wanted(texel, depth))) {
-    uint entry = reserveEntry(headIndex(inAxis, texel));
+    uint entry = reserveEntry(headIndex(inAxis, 0, texel));
     when (entry != noEntry) {
       StoredSurface surface = evaluateStoredSurface(inTriangle, barycentrics, texelSize);
       imageStore(pool, int(entry) * ENTRY_TEXELS, vec4(surface.baseColor, depth));

@@ -6,6 +6,7 @@ uniform vec3 gridLow;         // world
 uniform vec3 gridInverse;     // 1 / extent
 uniform int voxelResolution;  // along each axis
 uniform int bufferResolution;
+uniform int depthSlabs;       // lists a texel, each for its share of the depth
 
 vec3 toGrid(vec3 position) { return (position - gridLow) * gridInverse; }
 
@@ -24,6 +25,9 @@ uint voxelIndex(ivec3 voxel) {
   return uint(voxel.x) + uint(voxelResolution) * (uint(voxel.y) + uint(voxelResolution) * uint(voxel.z));
 }
 
-uint headIndex(int axis, ivec2 texel) {
-  return (uint(axis) * uint(bufferResolution) + uint(texel.y)) * uint(bufferResolution) + uint(texel.x);
+int slabOf(float depth) { return clamp(int(floor(depth * float(depthSlabs))), 0, depthSlabs - 1); }
+
+uint headIndex(int axis, int slab, ivec2 texel) {
+  uint row = (uint(axis) * uint(depthSlabs) + uint(slab)) * uint(bufferResolution) + uint(texel.y);
+  return row * uint(bufferResolution) + uint(texel.x);
 }

@@ -29,16 +29,21 @@ void searchBuffer(TraceRay ray, int axis, float begin, float end, inout Hit best
     float leave = min(walkExit(walk), end);
     vec2 depths = vec2(walk.depth + walk.depthStep * enter, walk.depth + walk.depthStep * leave);
     depths = vec2(min(depths.x, depths.y) - depthSlack, max(depths.x, depths.y) + depthSlack);
-    PageCursor it = firstEntry(heads[headIndex(axis, walk.texel)]);
-    while (it.entry != noCursor) {
-      uvec2 entry = entries[it.entry];
-      vec2 range = identityDepths(entry);
-      when (range.x <= depths.y && range.y >= depths.x && entry.x != ray.excluded)
-        testCandidate(ray, entry.x, best);
-      nextEntry(it);
-      ++work;
+    int slab = slabOf(depths.x), lastSlab = slabOf(depths.y);
+    while (slab <= lastSlab) {
+      PageCursor it = firstEntry(heads[headIndex(axis, slab, walk.texel)]);
+      while (it.entry != noCursor) {
+        uvec2 entry = entries[it.entry];
+        vec2 range = identityDepths(entry);
+        when (range.x <= depths.y && range.y >= depths.x && entry.x != ray.excluded)
+          testCandidate(ray, entry.x, best);
+        nextEntry(it);
+        ++work;
+      }
+      if (it.entry != noCursor) cut = true;
+      ++slab;
     }
-    if (it.entry != noCursor) cut = true;
+    if (slab <= lastSlab) cut = true;
     ++work;
     enter = leave;
     // A hit behind this texel may still be beaten by a triangle of the texels before it.

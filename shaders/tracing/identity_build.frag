@@ -46,10 +46,16 @@ void main() {
                               float(bufferResolution), depths);
   if (touches) countAt(COUNTER_FRAGMENTS, texel);
   when (touches && wanted(texel, depths)) {
-    uint entry = reserveEntry(headIndex(inAxis, texel));
-    if (entry != noEntry) {
-      entries[entry] = packIdentity(inTriangle, depths);
-      countAt(COUNTER_STORED_X + uint(inAxis), texel);
+    // A fragment that spans several slabs is in each of their lists.
+    uvec2 identity = packIdentity(inTriangle, depths);
+    vec2 range = identityDepths(identity);
+    int last = slabOf(range.y + depthSlack);
+    for (int slab = slabOf(range.x - depthSlack); slab <= last; ++slab) {
+      uint entry = reserveEntry(headIndex(inAxis, slab, texel));
+      if (entry != noEntry) {
+        entries[entry] = identity;
+        countAt(COUNTER_STORED_X + uint(inAxis), texel);
+      }
     }
   }
 }

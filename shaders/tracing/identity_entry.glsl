@@ -1,5 +1,8 @@
 // An identity fragment: triangle number, and its depth range as two 16-bit steps, rounded outwards by a step more than
 // needed so that rounding never hides a triangle.
+// Room for rounding when depths are compared (grid units).
+const float depthSlack = 2.0e-6;
+
 const float depthSteps = 65535.0;
 
 uvec2 packIdentity(uint triangle, vec2 depths) {

@@ -2,8 +2,6 @@
 // the ray anew instead of summed up, so that errors do not grow along the way.
 
 const float farAway = 3.0e38;
-// Room for rounding when depths are compared (grid units).
-const float depthSlack = 2.0e-6;
 
 struct TraceRay {
   vec3 origin, direction;      // world

@@ -171,6 +171,7 @@ TEST_F(TracingTest, MirrorFloorUnderASphereFollowsTheClosedForm) {
 struct IdentityCase {
   const char* voxels;
   const char* texels;
+  const char* slabs;
   const char* axis;
 };
 
@@ -183,6 +184,7 @@ TEST_P(IdentityTest, EqualsExactRays) {
   const Frame frame = draw(scene, kAbove,
                            settingsWith({{"voxels.resolution", GetParam().voxels},
                                          {"abuffer.resolution", GetParam().texels},
+                                         {"abuffer.slabs", GetParam().slabs},
                                          {"voxels.axis", GetParam().axis}}),
                            80, 60);
   const HitErrors errors = compareHits(frame, exact, scene.bounds().diagonal());
@@ -194,10 +196,11 @@ TEST_P(IdentityTest, EqualsExactRays) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Resolutions, IdentityTest,
-                         ::testing::Values(IdentityCase{"32", "128", "own"}, IdentityCase{"1", "1", "own"},
-                                           IdentityCase{"7", "50", "own"}, IdentityCase{"64", "64", "own"},
-                                           IdentityCase{"50", "7", "own"}, IdentityCase{"128", "512", "own"},
-                                           IdentityCase{"32", "128", "area"}, IdentityCase{"20", "90", "normal"}));
+                         ::testing::Values(IdentityCase{"32", "128", "1", "own"}, IdentityCase{"1", "1", "1", "own"},
+                                           IdentityCase{"7", "50", "5", "own"}, IdentityCase{"64", "64", "64", "own"},
+                                           IdentityCase{"50", "7", "3", "own"}, IdentityCase{"64", "128", "32", "own"},
+                                           IdentityCase{"32", "128", "8", "area"},
+                                           IdentityCase{"20", "90", "1", "normal"}));
 
 // Rays through shared edges and vertices: a closed fan of triangles around points that rays meet exactly.
 TEST_F(TracingTest, NoRaySlipsThroughSharedEdges) {
@@ -411,10 +414,12 @@ TEST_F(TracingTest, ListsOfManySheetsAreComplete) {
   const Frame exact = draw(scene, camera, settingsWith({{"trace.method", "exact"}}), 40, 30);
   std::uint64_t fragments = 0;
   for (const char* pageSize : {"1", "3", "4", "64"}) {
-    const Frame frame =
-        draw(scene, camera,
-             settingsWith({{"abuffer.page_size", pageSize}, {"abuffer.resolution", "16"}, {"voxels.resolution", "4"}}),
-             40, 30);
+    const Frame frame = draw(scene, camera,
+                             settingsWith({{"abuffer.page_size", pageSize},
+                                           {"abuffer.resolution", "16"},
+                                           {"abuffer.slabs", "1"},
+                                           {"voxels.resolution", "4"}}),
+                             40, 30);
     EXPECT_EQ(frame.report.lostFragments, 0u) << pageSize;
     EXPECT_EQ(frame.report.memory.fragments, frame.report.memory.fragmentsStored) << pageSize;
     if (fragments == 0) fragments = frame.report.memory.fragments;

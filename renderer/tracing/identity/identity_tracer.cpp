@@ -32,6 +32,7 @@ IdentityTracer::IdentityTracer(const gl::Api& api, const Settings& settings)
     : api_(&api),
       voxelResolution_(settings.voxels.resolution),
       bufferResolution_(settings.abuffer.resolution),
+      slabs_(settings.abuffer.slabs),
       ownAxis_(settings.voxels.axis == AxisRule::own),
       voxelPass_(api, VoxelRaster::conservative, settings.voxels.axis),
       build_(buildProgram(api, settings)),
@@ -40,13 +41,14 @@ IdentityTracer::IdentityTracer(const gl::Api& api, const Settings& settings)
       pool_(api, settings.abuffer.pageSize) {}
 
 void IdentityTracer::build(const GpuScene& scene, const RayQueue&, gl::Profiler& profiler) {
-  grid_ = makeGrid(scene.bounds, voxelResolution_, bufferResolution_);
+  grid_ = makeGrid(scene.bounds, voxelResolution_, bufferResolution_, slabs_);
   voxelPass_.run(scene, grid_, voxels_, profiler);
 
   const auto scope = profiler.section("build");
   const auto side = static_cast<std::size_t>(bufferResolution_);
   const auto mostEntries = static_cast<std::uint64_t>(api_->limits.storageBlockBytes) / kEntryBytes;
-  if (pool_.begin(3 * side * side, 4 * side * side + 4 * scene.triangleCount, mostEntries)) {
+  if (pool_.begin(3 * side * side * static_cast<std::size_t>(slabs_), 4 * side * side + 8 * scene.triangleCount,
+                  mostEntries)) {
     entries_ = gl::Buffer();  // the old one goes first: both at once might not fit
     entries_ = gl::Buffer(*api_, pool_.capacity() * kEntryBytes, "A-buffer entries");
   }

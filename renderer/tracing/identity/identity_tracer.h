@@ -22,7 +22,7 @@ class IdentityTracer final : public Tracer {
 
  private:
   const gl::Api* api_;
-  int voxelResolution_, bufferResolution_;
+  int voxelResolution_, bufferResolution_, slabs_;
   bool ownAxis_;
   VoxelPass voxelPass_;
   gl::Program build_;
