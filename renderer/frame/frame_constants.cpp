@@ -77,8 +77,7 @@ shared::FrameConstants makeFrameConstants(const Camera& camera, const Bounds& bo
   frame.right = glm::vec4(basis.right * (tangent * aspect), farPlane);
   frame.up = glm::vec4(basis.up * tangent, 0.0);
   frame.boundsLow = glm::vec4(bounds.empty() ? glm::vec3(0) : bounds.low, static_cast<float>(diagonal));
-  frame.boundsHigh =
-      glm::vec4(bounds.empty() ? glm::vec3(0) : bounds.high, smallestHitDistance(bounds));
+  frame.boundsHigh = glm::vec4(bounds.empty() ? glm::vec3(0) : bounds.high, smallestHitDistance(bounds));
   frame.skyZenith = glm::vec4(sky.zenith * sky.intensity, sky.image.empty() ? 0.0f : 1.0f);
   frame.skyHorizon = glm::vec4(sky.horizon * sky.intensity, sky.intensity);
   frame.skyGround = glm::vec4(sky.ground * sky.intensity, 0.0f);

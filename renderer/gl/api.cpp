@@ -42,10 +42,12 @@ Limits readLimits(const Api& api) {
 
 Api Api::load(const GetProcAddress& getProcAddress) {
   Api api;
-#define HALFSILVER_GL_LOAD(type, name)                                                                          \
-  api.name = reinterpret_cast<type>(getProcAddress("gl" #name));                                                \
-  if (!api.name) throw Error(ErrorKind::noContext, "the GL context has no function gl" #name " (OpenGL 4.5 is " \
-                                                                                             "needed)");
+#define HALFSILVER_GL_LOAD(type, name)                                          \
+  api.name = reinterpret_cast<type>(getProcAddress("gl" #name));                \
+  if (!api.name)                                                                \
+    throw Error(ErrorKind::noContext, "the GL context has no function gl" #name \
+                                      " (OpenGL 4.5 is "                        \
+                                      "needed)");
   HALFSILVER_GL_FUNCTIONS(HALFSILVER_GL_LOAD)
 #undef HALFSILVER_GL_LOAD
 

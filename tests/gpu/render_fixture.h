@@ -5,8 +5,8 @@
 #include "core/image.h"
 #include "exact/exact_tracer.h"
 #include "gl/framebuffer.h"
-#include "renderer.h"
 #include "gpu/context_fixture.h"
+#include "renderer.h"
 
 namespace halfsilver::testing {
 
