@@ -49,7 +49,7 @@ struct SelectSettings {
 };
 
 struct VoxelSettings {
-  int resolution = 64;  // voxels along each axis, 1..512
+  int resolution = 128;  // voxels along each axis, 1..512
   VoxelRaster raster = VoxelRaster::conservative;
   AxisRule axis = AxisRule::own;
 

@@ -44,13 +44,15 @@ void main() {
   vec2 depths;
   bool touches = touchesTexel(permute(toGrid(a), inAxis), permute(toGrid(b), inAxis), permute(toGrid(c), inAxis), texel,
                               float(bufferResolution), depths);
-  if (touches) countAt(COUNTER_FRAGMENTS, texel);
-  when (touches && wanted(texel, depths)) {
-    // A fragment that spans several slabs is in each of their lists.
+  bool stored = touches && wanted(texel, depths);
+  if (touches && !stored) countAt(COUNTER_FRAGMENTS, texel);
+  when (stored) {
+    // A fragment ends where its slab does: one that spans several counts in each.
     uvec2 identity = packIdentity(inTriangle, depths);
     vec2 range = identityDepths(identity);
     int last = slabOf(range.y + depthSlack);
     for (int slab = slabOf(range.x - depthSlack); slab <= last; ++slab) {
+      countAt(COUNTER_FRAGMENTS, texel);
       uint entry = reserveEntry(headIndex(inAxis, slab, texel));
       if (entry != noEntry) {
         entries[entry] = identity;

@@ -235,6 +235,8 @@ struct MethodCase {
   const char* name;
   std::vector<std::pair<const char*, const char*>> settings;
   double worstHitError;
+
+  friend std::ostream& operator<<(std::ostream& out, const MethodCase& method) { return out << method.name; }
 };
 
 const MethodCase kMethods[] = {
