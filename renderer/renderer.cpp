@@ -129,7 +129,7 @@ void Renderer::Impl::render(const Camera& camera, const Settings& wanted, const 
                                       std::to_string(target.height) + " is beyond the device's limits (1 to " +
                                       std::to_string(api.limits.framebufferSize) + ")");
   const gl::StateGuard guard(api);
-  profiler.collect();  // drops what nobody asked for
+  profiler.discard();
   const auto frame = profiler.section("frame");
   useSettings(wanted);
   scene.bind();
@@ -180,8 +180,8 @@ FrameReport Renderer::Impl::report() {
     memory.structureTotal = held.structureTotal;
     report.lostFragments = tracer->lostFragments();
     report.overflow = count(queues[0]).overflow;
-    if (settings->trace.bounces > 1)
-      for (const RayQueue* queue : {&queues[1], &queues[2]}) report.overflow += count(*queue).overflow;
+    for (int bounce = 1; bounce < std::min(settings->trace.bounces, 3); ++bounce)
+      report.overflow += count(queues[bounce]).overflow;
   }
   memory.gbuffer = gbuffer.bytes();
   memory.peak = bytesOf(scene) + shadows.lights.bytes() + shadows.maps.bytes() + memory.gbuffer + constants.bytes() +

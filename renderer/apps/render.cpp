@@ -169,6 +169,12 @@ void drawFrames(Renderer& renderer, const Camera& camera, const Settings& settin
     times.add(statistics.report.times);
     addWarnings(statistics.report.warnings, statistics.warnings);
   }
+  if (statistics.report.overflow > 0)
+    addWarnings({std::to_string(statistics.report.overflow) + " rays were given up (hit.T -3); the sky stands in"},
+                statistics.warnings);
+  if (statistics.report.lostFragments > 0)
+    addWarnings({std::to_string(statistics.report.lostFragments) + " fragments found no room in the A-buffer"},
+                statistics.warnings);
   statistics.stages = times.summarize();
   clock.lap("frames");
 }

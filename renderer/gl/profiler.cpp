@@ -11,8 +11,7 @@ constexpr double kAbsurdMilliseconds = 3600.0 * 1000.0;
 }  // namespace
 
 Profiler::~Profiler() {
-  for (const Entry& entry : entries_)
-    if (entry.begin != 0) free_.insert(free_.end(), {entry.begin, entry.end});
+  discard();
   if (!free_.empty()) api_->DeleteQueries(static_cast<GLsizei>(free_.size()), free_.data());
 }
 
@@ -48,6 +47,12 @@ Profiler::HostScope::HostScope(Profiler& profiler, std::string_view name)
 Profiler::HostScope::~HostScope() {
   profiler_.entries_[index_].hostMilliseconds =
       std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin_).count();
+}
+
+void Profiler::discard() {
+  for (const Entry& entry : entries_)
+    if (entry.begin != 0) free_.insert(free_.end(), {entry.begin, entry.end});
+  entries_.clear();
 }
 
 double Profiler::elapsed(const Entry& entry) {

@@ -52,6 +52,9 @@ class Profiler {
   };
   [[nodiscard]] HostScope hostSection(std::string_view name) { return HostScope(*this, name); }
 
+  // Forgets the sections since the last collect() without waiting for them.
+  void discard();
+
   // Times of all sections since the last call, in order of their first begin. Waits for the GPU.
   std::vector<SectionTime> collect();
 

@@ -15,7 +15,7 @@ constexpr double kWasteful = 1.25;
 
 }  // namespace
 
-bool PagePool::begin(std::size_t heads, std::uint64_t firstEntries, std::uint64_t mostEntries) {
+void PagePool::begin(std::size_t heads, std::uint64_t firstEntries, std::uint64_t mostEntries) {
   const std::uint64_t mostPages = std::min<std::uint64_t>(
       {mostEntries / pageSize_, static_cast<std::uint64_t>(api_->limits.storageBlockBytes) / sizeof(GLuint),
        MOST_PAGES});
@@ -30,16 +30,15 @@ bool PagePool::begin(std::size_t heads, std::uint64_t firstEntries, std::uint64_
       wanted = static_cast<std::uint64_t>(kHeadroom * static_cast<double>(asked)) + 1;
   }
   wanted = std::min(wanted, mostPages);
-  const bool changed = wanted != pages_;
-  if (changed) {
-    pages_ = static_cast<std::uint32_t>(wanted);
+  if (wanted != pages_) {
+    pages_ = 0;
     links_ = gl::Buffer();  // the old one goes first: both at once might not fit
     links_ = gl::Buffer(*api_, wanted * sizeof(GLuint), "page links");
+    pages_ = static_cast<std::uint32_t>(wanted);
   }
   if (heads_.bytes() != heads * sizeof(GLuint)) heads_ = gl::Buffer(*api_, heads * sizeof(GLuint), "A-buffer heads");
   heads_.fill(0);
   counters_.fill(0);
-  return changed;
 }
 
 void PagePool::bind(const gl::Program& program) const {

@@ -16,8 +16,8 @@ class PagePool {
   PagePool(const gl::Api& api, int pageSize) : api_(&api), pageSize_(static_cast<std::uint32_t>(pageSize)) {}
 
   // Clears for a build of `heads` lists. The first build gets room for `firstEntries`; later ones for what the build
-  // before asked for, at most `mostEntries`. Waits for that build's counters. True when capacity() changed.
-  bool begin(std::size_t heads, std::uint64_t firstEntries, std::uint64_t mostEntries);
+  // before asked for, at most `mostEntries`. Waits for that build's counters. May change capacity().
+  void begin(std::size_t heads, std::uint64_t firstEntries, std::uint64_t mostEntries);
 
   // Heads, links and counters to their bindings; capacity to the program's uniform.
   void bind(const gl::Program& program) const;

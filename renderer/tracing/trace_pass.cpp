@@ -13,7 +13,6 @@ namespace {
 constexpr int kSoftwareWorkLimit = 4000;
 // Dispatches after which the rest is given up; a ray does at least a voxel in each.
 constexpr int kMostDispatches = 256;
-constexpr GLuint kRowLength = 1024;
 
 constexpr GLintptr kUnfinishedOffset = offsetof(shared::RayCount, unfinished);
 
@@ -34,14 +33,15 @@ void TracePass::dispatch(const RayQueue& rays) const {
     api_->DispatchComputeIndirect(0);
   } else {
     // Fragments beyond the queue's count end at once; the count itself stays on the GPU.
-    const GLuint rows = std::max(1u, (rays.capacity + kRowLength - 1) / kRowLength);
-    const gl::Framebuffer framebuffer(*api_, kRowLength, static_cast<int>(rows));
+    const auto rowLength = static_cast<GLuint>(std::min(api_->limits.framebufferSize, 8192));
+    const GLuint rows = std::max(1u, (rays.capacity + rowLength - 1) / rowLength);
+    const gl::Framebuffer framebuffer(*api_, static_cast<int>(rowLength), static_cast<int>(rows));
     framebuffer.bind();
-    api_->Viewport(0, 0, kRowLength, static_cast<GLsizei>(rows));
+    api_->Viewport(0, 0, static_cast<GLsizei>(rowLength), static_cast<GLsizei>(rows));
     for (const GLenum state : {GL_DEPTH_TEST, GL_CULL_FACE, GL_BLEND, GL_SCISSOR_TEST, GL_STENCIL_TEST})
       api_->Disable(state);
     vertexArray_.bind();
-    program_.set("rowLength", kRowLength);
+    program_.set("rowLength", rowLength);
     api_->DrawArrays(GL_TRIANGLES, 0, 3);
   }
   // Hits and counts (trace) are read by the next dispatch, by shading and by the host.

@@ -19,6 +19,7 @@ struct Sample {
   int below;       // of those, in front of the point along the axis
   uint nearest;    // fragment nearest in depth, or noFragment
   float nearestDepth;
+  float nearestTriangle;  // ties go to the lower number: the order of a list is the GPU's choice
 };
 
 struct Slab {
@@ -32,7 +33,7 @@ bool counts(TraceRay ray, vec4 normalReflectivity, uint triangle) {
 }
 
 Sample sampleAt(TraceRay ray, Slab slab, float t, ivec2 texel, inout int work) {
-  Sample s = Sample(t, permute(ray.gridOrigin + ray.gridDirection * t, slab.axis).z, texel, 0, 0, noFragment, 0.0);
+  Sample s = Sample(t, permute(ray.gridOrigin + ray.gridDirection * t, slab.axis).z, texel, 0, 0, noFragment, 0.0, 0.0);
   PageCursor it = firstEntry(heads[headIndex(slab.axis, 0, texel)]);
   bool going = it.entry != noCursor;
   while (going) {
@@ -43,9 +44,10 @@ Sample sampleAt(TraceRay ray, Slab slab, float t, ivec2 texel, inout int work) {
         ++s.total;
         if (depth < s.depth) ++s.below;
         float away = abs(depth - s.depth), known = abs(s.nearestDepth - s.depth);
-        if (s.nearest == noFragment || away < known || (away == known && it.entry < s.nearest)) {
+        if (s.nearest == noFragment || away < known || (away == known && stored.w < s.nearestTriangle)) {
           s.nearest = it.entry;
           s.nearestDepth = depth;
+          s.nearestTriangle = stored.w;
         }
       }
     }

@@ -41,6 +41,7 @@ void traceRay(uint index) {
   if (resuming == 1) {
     if (hits[index].triangle != UNFINISHED_TRIANGLE) return;
     from = hits[index].t;
+    incomplete = hits[index].u > 0.0;
   }
   Ray queued = rays[index];
   TraceRay ray;
@@ -72,7 +73,7 @@ void traceRay(uint index) {
   }
   if (cut || yielded || going) {
     if (lastDispatch == 0) {
-      hits[index] = Hit(t, UNFINISHED_TRIANGLE, 0.0, 0.0);
+      hits[index] = Hit(t, UNFINISHED_TRIANGLE, incomplete ? 1.0 : 0.0, 0.0);
       atomicAdd(rayCount.unfinished, 1u);
       return;
     }

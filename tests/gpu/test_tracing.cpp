@@ -245,7 +245,7 @@ const MethodCase kMethods[] = {
     {"kastrati2017",
      {{"trace.method", "attributes"},
       {"voxels.axis", "normal"},
-      {"voxels.raster", "abuffer"},
+      {"voxels.raster", "voxel"},
       {"search.steps", "3"},
       {"voxels.resolution", "64"},
       {"abuffer.resolution", "256"}},

@@ -64,7 +64,8 @@ void AttributeTracer::build(const GpuScene& scene, const RayQueue&, gl::Profiler
   const bool three = settings_.abuffer.buffers == Buffers::three;
   const auto side = static_cast<std::size_t>(grid_.texels);
   const auto mostEntries = static_cast<std::uint64_t>(api_->limits.bufferTexels) / kEntryTexels;
-  if (pool_.begin(3 * side * side, (three ? 4 : 2) * side * side, mostEntries)) {
+  pool_.begin(3 * side * side, (three ? 4 : 2) * side * side, mostEntries);
+  if (entries_.bytes() != pool_.capacity() * kEntryBytes) {
     entries_ = gl::TexelBuffer();  // the old one goes first: both at once might not fit
     entries_ = gl::TexelBuffer(*api_, pool_.capacity() * kEntryTexels, "A-buffer entries");
   }

@@ -47,8 +47,9 @@ void IdentityTracer::build(const GpuScene& scene, const RayQueue&, gl::Profiler&
   const auto scope = profiler.section("build");
   const auto side = static_cast<std::size_t>(bufferResolution_);
   const auto mostEntries = static_cast<std::uint64_t>(api_->limits.storageBlockBytes) / kEntryBytes;
-  if (pool_.begin(3 * side * side * static_cast<std::size_t>(slabs_), 4 * side * side + 8 * scene.triangleCount,
-                  mostEntries)) {
+  pool_.begin(3 * side * side * static_cast<std::size_t>(slabs_), 4 * side * side + 8 * scene.triangleCount,
+              mostEntries);
+  if (entries_.bytes() != pool_.capacity() * kEntryBytes) {
     entries_ = gl::Buffer();  // the old one goes first: both at once might not fit
     entries_ = gl::Buffer(*api_, pool_.capacity() * kEntryBytes, "A-buffer entries");
   }
