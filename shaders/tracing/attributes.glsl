@@ -27,9 +27,14 @@ struct Slab {
   vec2 depths;  // fragments outside do not count
 };
 
-bool counts(TraceRay ray, vec4 normalReflectivity, uint triangle) {
+// The triangle's number alone does not keep a ray off the surface that it leaves: the neighbours' depths are known per
+// texel only, so on a curved surface some lie in front of the ray. Near its origin, a ray therefore does not meet
+// surfaces from behind, which those of the surface that it leaves are.
+bool counts(TraceRay ray, vec4 normalReflectivity, uint triangle, float t) {
   if (triangle == ray.excluded) return false;
-  return dot(normalReflectivity.xyz, ray.direction) <= 0.0 || doubleSided(triangleAt(triangle).w);
+  if (dot(normalReflectivity.xyz, ray.direction) <= 0.0) return true;
+  float nearby = 2.0 / (float(voxelResolution) * max(gridInverse.x, max(gridInverse.y, gridInverse.z)));
+  return t > nearby && doubleSided(triangleAt(triangle).w);
 }
 
 Sample sampleAt(TraceRay ray, Slab slab, float t, ivec2 texel, inout int work) {
@@ -40,7 +45,7 @@ Sample sampleAt(TraceRay ray, Slab slab, float t, ivec2 texel, inout int work) {
     float depth = imageLoad(pool, int(it.entry) * ENTRY_TEXELS).w;
     when (depth >= slab.depths.x && depth <= slab.depths.y) {
       vec4 stored = imageLoad(pool, int(it.entry) * ENTRY_TEXELS + 1);
-      if (counts(ray, unpackNormalReflectivity(stored), uint(stored.w))) {
+      if (counts(ray, unpackNormalReflectivity(stored), uint(stored.w), t)) {
         ++s.total;
         if (depth < s.depth) ++s.below;
         float away = abs(depth - s.depth), known = abs(s.nearestDepth - s.depth);
