@@ -1,6 +1,7 @@
 #include "tracing/page_pool.h"
 
 #include <algorithm>
+#include <string>
 #include <vector>
 
 #include "shared/tracing.h"
@@ -15,10 +16,16 @@ constexpr double kWasteful = 1.25;
 
 }  // namespace
 
+std::vector<gl::Define> pageDefines(int pageSize) {
+  std::vector<gl::Define> defines{{"PAGE_SIZE", std::to_string(pageSize) + "u"}};
+  if (pageSize == 1) defines.push_back({"PAGE_FILL_BITS", "1"});
+  return defines;
+}
+
 void PagePool::begin(std::size_t heads, std::uint64_t firstEntries, std::uint64_t mostEntries) {
   const std::uint64_t mostPages = std::min<std::uint64_t>(
       {mostEntries / pageSize_, static_cast<std::uint64_t>(api_->limits.storageBlockBytes) / sizeof(GLuint),
-       MOST_PAGES});
+       pageSize_ == 1 ? MOST_LINKED_ENTRIES : MOST_PAGES});
   std::uint64_t wanted = pages_;
   if (!counters_) {
     counters_ = gl::Buffer(*api_, COUNTER_SLOTS * COUNTER_KINDS * sizeof(GLuint), "build counters");

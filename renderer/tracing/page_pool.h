@@ -1,12 +1,16 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "gl/buffer.h"
 #include "gl/program.h"
 #include "tracing/tracer.h"
 
 namespace halfsilver {
+
+// The defines of every shader that touches lists of pages of this size.
+std::vector<gl::Define> pageDefines(int pageSize);
 
 // The lists of a paged A-buffer: heads, links and the counters of a build; the entries themselves belong to the method.
 // See shaders/tracing/pages.glsl. The pool's size follows the build before: it grows between builds when fragments were

@@ -9,10 +9,14 @@
 
 // A head word is 0 for an empty texel, else (page + 1) << PAGE_FILL_BITS | entries in that page. HEAD_INCOMPLETE is set
 // where the pool had no room for a fragment: a ray that comes by is an overflow, not a miss.
+// Linked lists are pages of one entry: their shaders define one bit for the fill and so can number more pages.
+#ifndef PAGE_FILL_BITS
 #define PAGE_FILL_BITS 7
-#define PAGE_FILL_MASK 127u
+#endif
+#define PAGE_FILL_MASK ((1u << PAGE_FILL_BITS) - 1u)
 #define HEAD_INCOMPLETE 0x80000000u
 #define MOST_PAGES 0xfffffeu
+#define MOST_LINKED_ENTRIES 0x3ffffffeu
 
 // Counters of a build, spread over COUNTER_SLOTS copies to spare the atomics; only slot 0 counts pages.
 #define COUNTER_SLOTS 64

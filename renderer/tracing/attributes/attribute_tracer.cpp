@@ -21,14 +21,14 @@ int pageSize(const Settings& settings) {
 }
 
 gl::Program buildProgram(const gl::Api& api, const Settings& settings) {
-  const std::vector<gl::Define> defines{{"PAGE_SIZE", std::to_string(pageSize(settings)) + "u"}};
+  const std::vector<gl::Define> defines = pageDefines(pageSize(settings));
   return gl::Program::raster(api, "tracing/attributes_build.vert", "tracing/attributes_build.frag", defines);
 }
 
 TracePass makeTracePass(const gl::Api& api, const Settings& settings) {
-  std::vector<gl::Define> defines{{"METHOD_ATTRIBUTES"},
-                                  {"PAGE_SIZE", std::to_string(pageSize(settings)) + "u"},
-                                  {"LINEAR_STEPS", std::to_string(settings.search.steps)}};
+  std::vector<gl::Define> defines = pageDefines(pageSize(settings));
+  defines.push_back({"METHOD_ATTRIBUTES"});
+  defines.push_back({"LINEAR_STEPS", std::to_string(settings.search.steps)});
   if (settings.abuffer.sorted) defines.push_back({"SORTED"});
   return TracePass(api, settings.trace.stage, defines);
 }
@@ -49,7 +49,7 @@ AttributeTracer::AttributeTracer(const gl::Api& api, const Settings& settings)
       tracePass_(makeTracePass(api, settings)),
       vertexArray_(api),
       pool_(api, pageSize(settings)) {
-  if (settings.abuffer.sorted) sort_ = gl::Program::compute(api, "tracing/attributes_sort.comp");
+  if (settings.abuffer.sorted) sort_ = gl::Program::compute(api, "tracing/attributes_sort.comp", pageDefines(1));
 }
 
 void AttributeTracer::build(const GpuScene& scene, const RayQueue&, gl::Profiler& profiler) {

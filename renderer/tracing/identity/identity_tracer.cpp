@@ -1,7 +1,6 @@
 #include "tracing/identity/identity_tracer.h"
 
-#include <array>
-#include <string>
+#include <vector>
 
 #include "shared/tracing.h"
 #include "tracing/raster.h"
@@ -11,17 +10,14 @@ namespace {
 
 constexpr std::uint64_t kEntryBytes = 8;
 
-gl::Define pageSizeDefine(const Settings& settings) {
-  return {"PAGE_SIZE", std::to_string(settings.abuffer.pageSize) + "u"};
-}
-
 gl::Program buildProgram(const gl::Api& api, const Settings& settings) {
-  const std::array defines{pageSizeDefine(settings)};
-  return gl::Program::raster(api, "tracing/identity_build.vert", "tracing/identity_build.frag", defines);
+  return gl::Program::raster(api, "tracing/identity_build.vert", "tracing/identity_build.frag",
+                             pageDefines(settings.abuffer.pageSize));
 }
 
 TracePass makeTracePass(const gl::Api& api, const Settings& settings) {
-  const std::array defines{gl::Define{"METHOD_IDENTITY"}, pageSizeDefine(settings)};
+  std::vector<gl::Define> defines = pageDefines(settings.abuffer.pageSize);
+  defines.push_back({"METHOD_IDENTITY"});
   return TracePass(api, settings.trace.stage, defines);
 }
 
