@@ -162,7 +162,8 @@ FrameReport Renderer::Impl::report() {
   const auto count = [](const RayQueue& queue) {
     return queue.count ? queue.count.read<shared::RayCount>(1)[0] : shared::RayCount{};
   };
-  report.selected = count(queues[0]).count;
+  // Rays that nobody traces are no selection: the layers say so too.
+  report.selected = tracer ? count(queues[0]).count : 0;
   report.warnings = scene.warnings;
   report.warnings.insert(report.warnings.end(), shadowWarnings.begin(), shadowWarnings.end());
 

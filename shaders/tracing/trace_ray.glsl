@@ -1,5 +1,5 @@
 // Tracing of one ray of the queue: 3D-DDA through the voxels; in an occupied one the method's searchVoxel(). Entry
-// points: trace.comp and trace.frag, which give bit-identical results.
+// points: trace.comp and trace.frag, which share every line (tests hold them to the same bits).
 #include "shared/bindings.h"
 #include "shared/structs.h"
 #include "lib/frame.glsl"
