@@ -1,6 +1,6 @@
-// Search in a voxel for the methods that store attributes (Hu et al. 2014, section 3.2): linear search over points of
-// the ray, comparing depths with the fragments of each point's texel, then binary search between the two points where
-// the order changes. LINEAR_STEPS > 0 takes that many equal steps; 0 visits every texel (full 2D-DDA).
+// Search in a voxel for the methods that store attributes (Hu et al. 2014, section 3.2): linear search for the first
+// point of the ray that lies inside an object, by the depths of the fragments in each point's texel, then binary search
+// back to where the ray went in. LINEAR_STEPS > 0 takes that many equal steps; 0 visits every texel (full 2D-DDA).
 #define POOL_ACCESS readonly
 #include "tracing/attributes_entry.glsl"
 
@@ -13,11 +13,9 @@ uint foundFragment = noFragment;
 // What a point of the ray sees in its texel, among the fragments that count for this voxel and ray.
 struct Sample {
   float t;
-  float depth;     // the point's
-  ivec2 texel;
-  int total;       // fragments
-  int below;       // of those, in front of the point along the axis
-  uint nearest;    // fragment nearest in depth, or noFragment
+  float depth;            // the point's
+  float side;             // < 0: the point lies behind the nearest fragment's surface; 0: no fragment
+  uint nearest;           // fragment nearest in depth, or noFragment
   float nearestDepth;
   float nearestTriangle;  // ties go to the lower number: the order of a list is the GPU's choice
 };
@@ -28,32 +26,30 @@ struct Slab {
 };
 
 // The triangle's number alone does not keep a ray off the surface that it leaves: the neighbours' depths are known per
-// texel only, so on a curved surface some lie in front of the ray. Near its origin, a ray therefore does not meet
-// surfaces from behind, which those of the surface that it leaves are.
-bool counts(TraceRay ray, vec4 normalReflectivity, uint triangle, float t) {
+// texel only, so on a curved surface some lie in front of the ray. Near its origin a ray therefore does not see surfaces
+// that face along it, as those of the surface that it leaves do.
+bool counts(TraceRay ray, vec3 normal, uint triangle, float t) {
   if (triangle == ray.excluded) return false;
-  if (dot(normalReflectivity.xyz, ray.direction) <= 0.0) return true;
-  float nearby = 2.0 / (float(voxelResolution) * max(gridInverse.x, max(gridInverse.y, gridInverse.z)));
-  return t > nearby && doubleSided(triangleAt(triangle).w);
+  float nearby = 4.0 / (float(voxelResolution) * max(gridInverse.x, max(gridInverse.y, gridInverse.z)));
+  return t > nearby || dot(normal, ray.direction) <= 0.0;
 }
 
 Sample sampleAt(TraceRay ray, Slab slab, float t, ivec2 texel, inout int work) {
-  Sample s = Sample(t, permute(ray.gridOrigin + ray.gridDirection * t, slab.axis).z, texel, 0, 0, noFragment, 0.0, 0.0);
+  Sample s = Sample(t, permute(ray.gridOrigin + ray.gridDirection * t, slab.axis).z, 0.0, noFragment, 0.0, 0.0);
   PageCursor it = firstEntry(heads[headIndex(slab.axis, 0, texel)]);
   bool going = it.entry != noCursor;
   while (going) {
     float depth = imageLoad(pool, int(it.entry) * ENTRY_TEXELS).w;
     when (depth >= slab.depths.x && depth <= slab.depths.y) {
       vec4 stored = imageLoad(pool, int(it.entry) * ENTRY_TEXELS + 1);
-      if (counts(ray, unpackNormalReflectivity(stored), uint(stored.w), t)) {
-        ++s.total;
-        if (depth < s.depth) ++s.below;
-        float away = abs(depth - s.depth), known = abs(s.nearestDepth - s.depth);
-        if (s.nearest == noFragment || away < known || (away == known && stored.w < s.nearestTriangle)) {
-          s.nearest = it.entry;
-          s.nearestDepth = depth;
-          s.nearestTriangle = stored.w;
-        }
+      vec3 normal = unpackNormalReflectivity(stored).xyz;
+      float away = abs(depth - s.depth), known = abs(s.nearestDepth - s.depth);
+      bool nearer = s.nearest == noFragment || away < known || (away == known && stored.w < s.nearestTriangle);
+      if (nearer && counts(ray, normal, uint(stored.w), t)) {
+        s.nearest = it.entry;
+        s.nearestDepth = depth;
+        s.nearestTriangle = stored.w;
+        s.side = (s.depth - depth) * normal[slab.axis];
       }
     }
     nextEntry(it);
@@ -74,12 +70,15 @@ ivec2 texelAt(TraceRay ray, int axis, float t) {
 
 bool between(float value, float a, float b) { return value >= min(a, b) && value <= max(a, b); }
 
-// Whether a surface lies between two neighbouring points. Where both texels hold as many surfaces, the point has
-// changed its place in their order; where one begins or ends, the depths passed must include it.
+bool sheet(Sample s) { return doubleSided(triangleAt(uint(s.nearestTriangle)).w); }
+
+// Whether the ray meets a surface between two neighbouring points. Into a solid it goes where the second point is
+// inside, whether or not the wall that it passes left a fragment in this A-buffer: steep walls leave none. A sheet of
+// two sides has no inside: both points must know it, or the depths passed include it; and it is met from behind too.
 bool crossed(Sample a, Sample b) {
-  if (a.total == b.total) return a.below != b.below;
-  return (b.nearest != noFragment && between(b.nearestDepth, a.depth, b.depth)) ||
-         (a.nearest != noFragment && between(a.nearestDepth, a.depth, b.depth));
+  if (a.side >= 0.0 && b.side < 0.0)
+    return a.nearest != noFragment || !sheet(b) || between(b.nearestDepth, a.depth, b.depth);
+  return a.side < 0.0 && b.side > 0.0 && sheet(b);
 }
 
 // Narrows a crossing down; keeps it where it beats `best`.
@@ -104,6 +103,10 @@ void refine(TraceRay ray, Slab slab, Sample a, Sample b, inout Hit best, inout i
   foundFragment = fragment;
 }
 
+vec3 normalOf(uint fragment) {
+  return unpackNormalReflectivity(imageLoad(pool, int(fragment) * ENTRY_TEXELS + 1)).xyz;
+}
+
 void searchBuffer(TraceRay ray, int axis, float begin, float end, inout Hit best, inout int work) {
   vec2 depths = vec2(permute(ray.gridOrigin + ray.gridDirection * begin, axis).z,
                      permute(ray.gridOrigin + ray.gridDirection * end, axis).z);
@@ -113,6 +116,12 @@ void searchBuffer(TraceRay ray, int axis, float begin, float end, inout Hit best
 
   float known = best.t;
   Sample last = sampleAt(ray, slab, begin, texelAt(ray, axis, begin), work);
+  // A wall between two voxels may have left fragments in neither: the ray then starts inside.
+  if (last.side < 0.0 && begin > ray.least && !sheet(last) && dot(normalOf(last.nearest), ray.direction) < 0.0) {
+    best = Hit(begin, uint(last.nearestTriangle), 0.0, 0.0);
+    foundFragment = last.nearest;
+    return;
+  }
 #if LINEAR_STEPS > 0
   for (int i = 1; i <= LINEAR_STEPS; ++i) {
     float t = begin + (end - begin) * float(i) / float(LINEAR_STEPS);
