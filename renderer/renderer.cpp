@@ -98,6 +98,7 @@ void Renderer::Impl::prepareBounce(RayQueue& queue, Hits& result) const {
   if (queue.capacity != queues[0].capacity) {
     queue.rays = gl::Buffer(api, queues[0].rays.bytes(), "rays of a later bounce");
     queue.count = gl::Buffer(api, queues[0].count.bytes(), "ray count of a later bounce");
+    queue.count.fill(0);
     queue.capacity = queues[0].capacity;
   }
   const std::size_t hitBytes = queue.capacity * sizeof(shared::Hit);
@@ -108,6 +109,8 @@ void Renderer::Impl::prepareBounce(RayQueue& queue, Hits& result) const {
 
 void Renderer::Impl::traceReflections() {
   prepareBounce(queues[0], hits[0]);
+  for (int i : {1, 2})
+    if (queues[i].count) queues[i].count.fill(0);  // their overflow adds up over the bounces that share a queue
   tracer->build(scene, queues[0], profiler);
   for (int bounce = 0; bounce < settings->trace.bounces; ++bounce) {
     const bool last = bounce + 1 == settings->trace.bounces;
@@ -140,7 +143,10 @@ void Renderer::Impl::render(const Camera& camera, const Settings& wanted, const 
     uploadConstants(camera, target.width, target.height);  // with the number of lights
   }
   gbufferPass.run(scene, gbuffer, target.width, target.height, settings->scene.cullBackFaces, profiler);
-  selectPass.run(gbuffer, queues[0], profiler);
+  if (tracer)
+    selectPass.run(gbuffer, queues[0], profiler);
+  else
+    queues[0] = RayQueue();  // a ray for each pixel is much memory for nothing
   scene.bind();
   shadows.bind();
   shadePass.run(gbuffer, profiler);

@@ -28,7 +28,7 @@ namespace halfsilver {
 namespace {
 
 // First draws compile shaders, and some methods size their pool by the frame before.
-constexpr int kMostWarmUpFrames = 4;
+constexpr int kMostFirstFrames = 4;
 
 struct RenderRequest {
   std::string scene, output, stats, layers;
@@ -39,7 +39,7 @@ struct RenderRequest {
   std::string sky, preset, config;
   std::string context = "auto";
   std::optional<int> bounces;
-  int repeat = 1;
+  std::optional<int> repeat;
   int threads = 0;
 };
 
@@ -76,6 +76,7 @@ class Outputs {
   void writeLayers(const Image& layers, double diagonal) {
     if (layers_) layers_->write(encodeExr(layers, diagonal));
   }
+  // Every file was written whole before: what is left is a rename each.
   void commit() {
     for (std::optional<AtomicFile>* file : {&layers_, &stats_, &picture_})
       if (*file) (*file)->commit();
@@ -146,22 +147,25 @@ void addWarnings(const std::vector<std::string>& from, std::vector<std::string>&
     if (std::find(to.begin(), to.end(), warning) == to.end()) to.push_back(warning);
 }
 
-// Warm-up frames, then the measured ones.
+// The first frame, as often as its structure needs to find its size; then the measured ones, if any. Where none are
+// asked for, the first frame is the picture, and its times are told as what they are.
 void drawFrames(Renderer& renderer, const Camera& camera, const Settings& settings, const Target& target, int repeat,
                 Progress& progress, WallClock& clock, RunStatistics& statistics) {
-  std::uint64_t lost = 1;
   StageTimes times;
-  while (lost > 0 && statistics.warmUpFrames < kMostWarmUpFrames) {
-    progress.show("warming up");
+  int first = 0;
+  do {
+    progress.show("first frame");
     renderer.render(camera, settings, target);
-    const FrameReport report = renderer.report();
-    lost = report.lostFragments;
-    ++statistics.warmUpFrames;
-    // Shadow maps are drawn once, in the first frame: their time is the only one that a warm-up frame has to tell.
-    for (const StageTime& time : report.times)
-      if (time.stage == "shadow") times.add(std::span(&time, 1));
-  }
-  clock.lap("warm_up");
+    statistics.report = renderer.report();
+    ++first;
+  } while (statistics.report.lostFragments > 0 && first < kMostFirstFrames);
+  // Shadow maps are drawn once, in the first frame: their time is the only one that a warm-up frame has to tell.
+  for (const StageTime& time : statistics.report.times)
+    if (repeat == 0 || time.stage == "shadow") times.add(std::span(&time, 1));
+  statistics.firstFrame = repeat == 0;
+  statistics.warmUpFrames = first - (repeat == 0 ? 1 : 0);
+  addWarnings(statistics.report.warnings, statistics.warnings);
+  clock.lap("first_frame");
   for (int frame = 0; frame < repeat; ++frame) {
     progress.show("frame " + std::to_string(frame + 1) + " of " + std::to_string(repeat));
     renderer.render(camera, settings, target);
@@ -176,7 +180,7 @@ void drawFrames(Renderer& renderer, const Camera& camera, const Settings& settin
     addWarnings({std::to_string(statistics.report.lostFragments) + " fragments found no room in the A-buffer"},
                 statistics.warnings);
   statistics.stages = times.summarize();
-  clock.lap("frames");
+  if (repeat > 0) clock.lap("frames");
 }
 
 // The last frame, encoded under temporary names.
@@ -236,17 +240,19 @@ void render(const RenderRequest& request) {
   renderer.setScene(model.scene);
   clock.lap("upload");
 
-  drawFrames(renderer, camera, statistics.settings, target.target(), request.repeat, progress, clock, statistics);
+  const int repeat = request.repeat.value_or(request.stats.empty() ? 0 : 1);
+  drawFrames(renderer, camera, statistics.settings, target.target(), repeat, progress, clock, statistics);
   progress.show("writing " + request.output);
   writePictures(renderer, target, size, statistics.diagonal, outputs);
   clock.lap("write");
   statistics.wallMilliseconds = clock.milliseconds();
   outputs.writeStatistics(statistics);
-  outputs.commit();
 
   progress.clear();
   for (const std::string& warning : statistics.warnings) std::cerr << "warning: " << warning << '\n';
-  std::cout << toTable(statistics);
+  // The table goes first: where it cannot be written, the run fails, and a failed run leaves no files.
+  if (!(std::cout << toTable(statistics) << std::flush)) throw Error(ErrorKind::failed, "cannot write the table");
+  outputs.commit();
 }
 
 void addCameraOptions(CLI::App& command, RenderRequest& request) {
@@ -285,9 +291,11 @@ void addRenderCommand(CLI::App& program) {
   command->add_option("--context", request.context, "Where OpenGL comes from: auto, egl, osmesa")
       ->check(CLI::IsMember({"auto", "egl", "osmesa"}))
       ->capture_default_str();
-  command->add_option("--repeat", request.repeat, "Measured frames; times are medians")
-      ->check(CLI::Range(1, 100000))
-      ->capture_default_str();
+  command
+      ->add_option("--repeat", request.repeat,
+                   "Frames measured after the first one; times are medians (default: 1 with --stats, else the first "
+                   "frame is the picture)")
+      ->check(CLI::Range(1, 100000));
   command->add_option("--threads", request.threads, "Threads of the exact tracer (default: one a core)")
       ->check(CLI::Range(1, 1024));
   command->callback([shared] { render(*shared); });

@@ -140,7 +140,8 @@ std::string toTable(const RunStatistics& s) {
   std::string table;
   table += s.sceneFile + ", " + std::to_string(s.triangles) + " triangles, " + std::to_string(s.width) + "x" +
            std::to_string(s.height) + ", " + s.device.renderer + " (" + s.context + ")\n";
-  table += "GPU stage       median        min        max ms   runs\n";
+  table += "GPU stage       median        min        max ms   runs";
+  table += s.firstFrame ? "   (the first frame; --repeat N for warm ones)\n" : "\n";
   for (const StageSummary& stage : s.stages) {
     if (stage.runs + stage.rejected == 0) continue;
     table += format("%-11s %10.3f %10.3f %10.3f    %5zu", stage.stage.c_str(), stage.median, stage.min, stage.max,

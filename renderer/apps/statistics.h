@@ -44,6 +44,7 @@ struct RunStatistics {
   int width = 0, height = 0;
   FrameReport report;  // of the last frame
   std::vector<StageSummary> stages;
+  bool firstFrame = false;  // the times are those of the first frame, with shaders compiled and memory allocated
   int warmUpFrames = 0;
   std::vector<std::pair<std::string, double>> wallMilliseconds;
   std::vector<std::string> warnings;

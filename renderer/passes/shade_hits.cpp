@@ -1,6 +1,9 @@
 #include "passes/shade_hits.h"
 
+#include <cstddef>
 #include <vector>
+
+#include "frame/shared_structs.h"
 
 namespace halfsilver {
 
@@ -32,7 +35,7 @@ void ShadeHitsPass::run(const RayQueue& rays, const Hits& hits, const GBuffer& g
   if (next) {
     next->rays.bindStorage(SSBO_NEXT_RAYS);
     next->count.bindStorage(SSBO_NEXT_RAY_COUNT);
-    next->count.fill(0);
+    next->count.fill(0, 0, offsetof(shared::RayCount, overflow));  // which counts for the whole frame
   }
   gbuffer.reflection.bindImage(IMAGE_REFLECTION, GL_READ_WRITE);
   program(static_cast<bool>(hits.surfaces), next != nullptr).use();

@@ -116,8 +116,10 @@ void searchBuffer(TraceRay ray, int axis, float begin, float end, inout Hit best
 
   float known = best.t;
   Sample last = sampleAt(ray, slab, begin, texelAt(ray, axis, begin), work);
-  // A wall between two voxels may have left fragments in neither: the ray then starts inside.
-  if (last.side < 0.0 && begin > ray.least && !sheet(last) && dot(normalOf(last.nearest), ray.direction) < 0.0) {
+  // A wall between two voxels may have left fragments in neither: the ray then starts inside. Where the surface faces
+  // along the ray, the point must lie deeper than the texels' rounding, or rays would end on surfaces that they leave.
+  bool deep = last.side < -2.0 / float(bufferResolution);
+  if (last.side < 0.0 && begin > ray.least && !sheet(last) && (deep || dot(normalOf(last.nearest), ray.direction) < 0.0)) {
     best = Hit(begin, uint(last.nearestTriangle), 0.0, 0.0);
     foundFragment = last.nearest;
     return;

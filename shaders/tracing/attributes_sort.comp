@@ -32,6 +32,7 @@ void main() {
   if (head == 0u) return;
   uint left = head, first = 0u, tail = 0u;
   uint merges = 0u;
+  bool cut = false;  // some drivers stop long loops (see trace_ray.glsl)
   while (left != 0u) {
     uint right = skip(left, runLength), next = skip(right, runLength);
     uint leftLeft = runLength, rightLeft = runLength;
@@ -54,10 +55,14 @@ void main() {
         links[tail - 1u] = node;
       tail = node;
     }
+    cut = (a != 0u && leftLeft > 0u) || (b != 0u && rightLeft > 0u);
     left = next;
   }
-  links[tail - 1u] = 0u;
-  heads[index] = (heads[index] & HEAD_INCOMPLETE) | (first << PAGE_FILL_BITS) | 1u;
+  cut = cut || left != 0u;
+  if (tail != 0u) links[tail - 1u] = 0u;
+  // What a stopped merge has lost, rays must know of.
+  uint incomplete = cut ? HEAD_INCOMPLETE : heads[index] & HEAD_INCOMPLETE;
+  heads[index] = incomplete | (first << PAGE_FILL_BITS) | (first == 0u ? 0u : 1u);
   // The host goes on with longer runs while any list still had two to merge.
   if (merges > 0u) counters[COUNTER_UNSORTED] = 1u;
 }
