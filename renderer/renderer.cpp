@@ -177,6 +177,7 @@ FrameReport Renderer::Impl::report() {
   if (tracer) {
     const TracerMemory held = tracer->memory();
     memory.voxels = held.voxels;
+    for (int axis = 0; axis < 3; ++axis) memory.grid[axis] = held.grid[axis];
     memory.heads = held.heads;
     memory.poolReserved = held.poolReserved;
     memory.poolUsed = held.poolUsed;
@@ -211,6 +212,8 @@ DeviceInfo Renderer::device() const {
 void Renderer::setScene(const Scene& scene) {
   const gl::StateGuard guard(impl_->api);
   impl_->hasScene = false;
+  impl_->tracer.reset();  // it knows the old scene
+  impl_->settings.reset();
   impl_->scene = GpuScene();  // its memory goes before the new one's comes
   impl_->scene = uploadScene(impl_->api, scene);
   impl_->lights = scene.lights;

@@ -37,6 +37,7 @@ struct MemoryReport {  // bytes, counts where named so
   std::uint64_t voxels = 0, heads = 0, poolReserved = 0, poolUsed = 0;
   std::uint64_t fragments = 0, fragmentsStored = 0;  // counts
   std::uint64_t fragmentsPerAxis[3] = {0, 0, 0};     // counts, stored
+  int grid[3] = {0, 0, 0};                           // voxels along each axis
   double bytesPerFragment = 0;
   std::uint64_t structureTotal = 0;
   std::uint64_t gbuffer = 0;

@@ -34,11 +34,12 @@ void visitAll(S& s, Visitor&& visit) {
   visit("select.fraction", s.select.fraction, 0, 1, "share of the selected pixels that is kept");
   visit("select.max_roughness", s.select.maxRoughness, 0, 1, "reflectivity fades to 0 at this roughness");
   visit("select.min_reflectivity", s.select.minReflectivity, 0, 1, "pixels at or below are not selected");
-  visit("voxels.resolution", s.voxels.resolution, 1, 512, "voxels along each axis");
+  visit("voxels.resolution", s.voxels.resolution, 1, 512, "voxels along each axis (identity: at most)");
+  visit("voxels.per_triangle", s.voxels.perTriangle, 0, 1000, "voxels a triangle; 0: as resolution says (identity)");
   visit("voxels.raster", s.voxels.raster, 0, 0, "how triangles reach voxels");
   visit("voxels.axis", s.voxels.axis, 0, 0, "how a dominant axis is chosen");
   visit("abuffer.resolution", s.abuffer.resolution, 1, 4096, "texels along each axis");
-  visit("abuffer.slabs", s.abuffer.slabs, 1, 64, "lists a texel, each for its share of the depth (identity)");
+  visit("abuffer.keep", s.abuffer.keep, 0, 1, "keep what is built while the geometry stays (identity)");
   visit("abuffer.page_size", s.abuffer.pageSize, 1, 64, "entries of a page");
   visit("abuffer.buffers", s.abuffer.buffers, 0, 0, "one buffer a fragment, or all three");
   visit("abuffer.lists", s.abuffer.lists, 0, 0, "pages or a linked list of entries");

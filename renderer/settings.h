@@ -49,7 +49,8 @@ struct SelectSettings {
 };
 
 struct VoxelSettings {
-  int resolution = 128;  // voxels along each axis, 1..512
+  int resolution = 384;   // voxels along each axis, 1..512; identity: along the longest, at most
+  float perTriangle = 8;  // 0..1000, voxels for each triangle of the scene; 0: `resolution` as it is (identity only)
   VoxelRaster raster = VoxelRaster::conservative;
   AxisRule axis = AxisRule::own;
 
@@ -57,8 +58,8 @@ struct VoxelSettings {
 };
 
 struct ABufferSettings {
-  int resolution = 128;  // texels along each axis, 1..4096
-  int slabs = 32;        // lists a texel, each for its share of the depth, 1..64; identity fragments only
+  int resolution = 128;  // texels along each axis, 1..4096; identity fragments lie in texels of a voxel's size
+  bool keep = true;      // what is built stays while the geometry does; false: again in every frame (identity only)
   int pageSize = 4;      // entries a page, 1..64
   Buffers buffers = Buffers::single;
   Lists lists = Lists::pages;

@@ -116,6 +116,7 @@ Json toJson(const RunStatistics& s) {
                     {"fragments_stored", memory.fragmentsStored},
                     {"fragments_per_axis", memory.fragmentsPerAxis},
                     {"bytes_per_fragment", memory.bytesPerFragment},
+                    {"grid", memory.grid},
                     {"structure_total", memory.structureTotal},
                     {"gbuffer", memory.gbuffer},
                     {"peak", memory.peak}};
@@ -154,6 +155,7 @@ std::string toTable(const RunStatistics& s) {
            ", heads " + megabytes(memory.heads) + ", pool " + megabytes(memory.poolUsed) + " used of " +
            megabytes(memory.poolReserved) + "), G-buffer " + megabytes(memory.gbuffer) + ", peak " +
            megabytes(memory.peak) + "\n";
+  if (memory.grid[0] > 0) table += format("voxels      %d x %d x %d\n", memory.grid[0], memory.grid[1], memory.grid[2]);
   if (memory.fragments)
     table += format("fragments   %llu made, %llu stored (x %llu, y %llu, z %llu), %.1f bytes each\n",
                     static_cast<unsigned long long>(memory.fragments),

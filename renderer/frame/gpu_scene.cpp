@@ -165,7 +165,9 @@ void updateVertices(GpuScene& gpu, const Scene& scene, std::span<const VertexRan
                                         " are beyond the scene's " + std::to_string(gpu.vertexCount));
     writeVertices(gpu, scene, range.first, range.count);
   }
-  if (!ranges.empty()) gpu.bounds = scene.bounds();
+  if (ranges.empty()) return;
+  gpu.bounds = scene.bounds();
+  ++gpu.geometry;
 }
 
 }  // namespace halfsilver

@@ -30,6 +30,7 @@ struct GpuScene {
   std::uint32_t vertexCount = 0;
   std::uint32_t triangleCount = 0;
   Bounds bounds;
+  std::uint32_t geometry = 0;  // grows with every change of the vertices
   std::vector<std::string> warnings;
 
   // Binds SSBO_POSITIONS .. SSBO_MATERIALS, the material textures and the sky.

@@ -23,6 +23,8 @@ GLuint Profiler::stamp() {
   const GLuint query = free_.back();
   free_.pop_back();
   api_->QueryCounter(query, GL_TIMESTAMP);
+  // Software rasterizers queue the stamp with the next draw but run a dispatch at once.
+  if (api_->software) api_->Flush();
   return query;
 }
 

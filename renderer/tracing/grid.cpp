@@ -2,25 +2,43 @@
 
 namespace halfsilver {
 
-Grid makeGrid(const Bounds& bounds, int voxels, int texels, int slabs) {
+Grid makeGrid(const Bounds& bounds, int voxels, int texels) {
   const glm::vec3 extent = bounds.extent();
   const float longest = glm::max(extent.x, glm::max(extent.y, extent.z));
   const float padding = longest > 0 ? 1e-3f * longest : 1.0f;
   Grid grid;
   grid.low = (bounds.empty() ? glm::vec3(0) : bounds.low) - padding;
   grid.extent = extent + 2.0f * padding;
-  grid.voxels = voxels;
+  grid.voxels = glm::ivec3(voxels);
   grid.texels = texels;
-  grid.slabs = slabs;
+  return grid;
+}
+
+Grid makeCubicGrid(const Bounds& bounds, int most, double wanted) {
+  Grid grid = makeGrid(bounds, most, most);
+  const glm::vec3 shape = grid.extent / glm::max(grid.extent.x, glm::max(grid.extent.y, grid.extent.z));
+  const auto along = [&](int longest) {
+    return glm::clamp(glm::ivec3(glm::ceil(static_cast<float>(longest) * shape)), 1, longest);
+  };
+  // The coarsest grid with enough voxels: the count grows with the side.
+  int low = wanted > 0 ? 1 : most;
+  for (int high = most; low < high;) {
+    const int middle = (low + high) / 2;
+    grid.voxels = along(middle);
+    if (static_cast<double>(grid.voxelCount()) < wanted)
+      low = middle + 1;
+    else
+      high = middle;
+  }
+  grid.voxels = along(low);
   return grid;
 }
 
 void Grid::apply(const gl::Program& program) const {
   program.set("gridLow", low);
   program.set("gridInverse", 1.0f / extent);
-  program.set("voxelResolution", voxels);
+  program.set("voxelCount", voxels);
   program.set("bufferResolution", texels);
-  program.set("depthSlabs", slabs);
 }
 
 }  // namespace halfsilver

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <glm/glm.hpp>
 
 #include "core/bounds.h"
@@ -7,21 +8,28 @@
 
 namespace halfsilver {
 
-// The space of the voxel grid and the A-buffers: the scene's bounds, padded, as a unit cube. Every axis has the same
-// number of voxels and of texels, so both follow the scene's shape.
+// The space of the voxel grid and the A-buffers: the scene's bounds, padded, as a unit cube.
 struct Grid {
   glm::vec3 low{0};     // relative to Scene::origin
   glm::vec3 extent{1};  // metres
-  int voxels = 1;       // along each axis
-  int texels = 1;       // of the A-buffers, along each axis
-  int slabs = 1;        // lists a texel, each for its share of the depth
+  glm::ivec3 voxels{1};
+  int texels = 1;  // of the A-buffers, along each axis, where they have a raster of their own
+
+  int longestSide() const { return glm::max(voxels.x, glm::max(voxels.y, voxels.z)); }
+  std::size_t voxelCount() const {
+    return static_cast<std::size_t>(voxels.x) * static_cast<std::size_t>(voxels.y) * static_cast<std::size_t>(voxels.z);
+  }
 
   float texelSize() const { return glm::max(extent.x, glm::max(extent.y, extent.z)) / static_cast<float>(texels); }
   // Sets the uniforms of shaders/tracing/grid.glsl.
   void apply(const gl::Program& program) const;
 };
 
-// The padding keeps every surface clear of the border, flat scenes included.
-Grid makeGrid(const Bounds& bounds, int voxels, int texels, int slabs = 1);
+// The same number of voxels along every axis, which so follow the scene's shape, as the papers have it. The padding
+// keeps every surface clear of the border, flat scenes included.
+Grid makeGrid(const Bounds& bounds, int voxels, int texels);
+// Voxels of about equal sides, since scenes are not cubes: `wanted` of them in all, but at most `most` along an axis.
+// Without a wish (0) there are `most` along the longest.
+Grid makeCubicGrid(const Bounds& bounds, int most, double wanted);
 
 }  // namespace halfsilver

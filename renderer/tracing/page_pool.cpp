@@ -27,12 +27,11 @@ void PagePool::begin(std::size_t heads, std::uint64_t firstEntries, std::uint64_
       {mostEntries / pageSize_, static_cast<std::uint64_t>(api_->limits.storageBlockBytes) / sizeof(GLuint),
        pageSize_ == 1 ? MOST_LINKED_ENTRIES : MOST_PAGES});
   std::uint64_t wanted = pages_;
-  if (!counters_) {
-    counters_ = gl::Buffer(*api_, COUNTER_SLOTS * COUNTER_KINDS * sizeof(GLuint), "build counters");
+  if (pages_ == 0) {
     wanted = firstEntries / pageSize_ + 1;
   } else {
     // Every fragment that found no page asked for one of its own, so this is enough, if more than needed.
-    const std::uint64_t asked = count(COUNTER_PAGES);
+    const std::uint64_t asked = counters_.sum(COUNTER_PAGES);
     if (asked > pages_ || static_cast<double>(pages_) > kWasteful * static_cast<double>(asked))
       wanted = static_cast<std::uint64_t>(kHeadroom * static_cast<double>(asked)) + 1;
   }
@@ -45,39 +44,27 @@ void PagePool::begin(std::size_t heads, std::uint64_t firstEntries, std::uint64_
   }
   if (heads_.bytes() != heads * sizeof(GLuint)) heads_ = gl::Buffer(*api_, heads * sizeof(GLuint), "A-buffer heads");
   heads_.fill(0);
-  counters_.fill(0);
+  counters_.clear();
 }
 
 void PagePool::bind(const gl::Program& program) const {
   heads_.bindStorage(SSBO_HEADS);
   links_.bindStorage(SSBO_LINKS);
-  counters_.bindStorage(SSBO_COUNTERS);
+  counters_.bind();
   program.set("pageCapacity", pages_);
 }
 
-std::uint64_t PagePool::count(std::uint32_t kind) const {
-  if (!counters_) return 0;
-  // Counts (fragments) are read by the host.
-  api_->MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-  const std::vector<GLuint> values = counters_.read<GLuint>(COUNTER_SLOTS * COUNTER_KINDS);
-  std::uint64_t sum = 0;
-  for (std::size_t slot = 0; slot < COUNTER_SLOTS; ++slot) sum += values[slot * COUNTER_KINDS + kind];
-  return sum;
-}
-
-void PagePool::resetCounter(std::uint32_t kind) { counters_.fill(0, kind * sizeof(GLuint), sizeof(GLuint)); }
-
 void PagePool::report(TracerMemory& memory, std::uint64_t entryBytes) const {
   memory.heads = headBytes();
-  memory.fragments = count(COUNTER_FRAGMENTS);
+  memory.fragments = counters_.sum(COUNTER_FRAGMENTS);
   for (std::uint32_t axis = 0; axis < 3; ++axis) {
-    memory.perAxis[axis] = count(COUNTER_STORED_X + axis);
+    memory.perAxis[axis] = counters_.sum(COUNTER_STORED_X + axis);
     memory.fragmentsStored += memory.perAxis[axis];
   }
   memory.poolReserved = capacity() * entryBytes + linkBytes();
   memory.poolUsed = memory.fragmentsStored * entryBytes;
   memory.bytesPerFragment = static_cast<double>(entryBytes);
-  memory.structureTotal = memory.voxels + memory.heads + memory.poolReserved + counterBytes();
+  memory.structureTotal = memory.voxels + memory.heads + memory.poolReserved + counters_.bytes();
 }
 
 }  // namespace halfsilver

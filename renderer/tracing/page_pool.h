@@ -5,6 +5,7 @@
 
 #include "gl/buffer.h"
 #include "gl/program.h"
+#include "tracing/build_counters.h"
 #include "tracing/tracer.h"
 
 namespace halfsilver {
@@ -17,7 +18,8 @@ std::vector<gl::Define> pageDefines(int pageSize);
 // lost, and shrinks when it was far too large (Kastrati & Goswami 2017, section 3.2.1, grows only).
 class PagePool {
  public:
-  PagePool(const gl::Api& api, int pageSize) : api_(&api), pageSize_(static_cast<std::uint32_t>(pageSize)) {}
+  PagePool(const gl::Api& api, int pageSize)
+      : api_(&api), pageSize_(static_cast<std::uint32_t>(pageSize)), counters_(api) {}
 
   // Clears for a build of `heads` lists. The first build gets room for `firstEntries`; later ones for what the build
   // before asked for, at most `mostEntries`. Waits for that build's counters. May change capacity().
@@ -28,14 +30,11 @@ class PagePool {
 
   std::uint64_t capacity() const { return static_cast<std::uint64_t>(pages_) * pageSize_; }  // entries
 
-  // Reads one counter of the build, summed over its slots. Waits for the GPU.
-  std::uint64_t count(std::uint32_t kind) const;
-  // For steps that signal through a counter: one word of slot 0.
-  void resetCounter(std::uint32_t kind);
+  BuildCounters& counters() { return counters_; }
+  const BuildCounters& counters() const { return counters_; }
 
   std::uint64_t headBytes() const { return heads_.bytes(); }
   std::uint64_t linkBytes() const { return links_.bytes(); }
-  std::uint64_t counterBytes() const { return counters_.bytes(); }
 
   // Fills what a pool with entries of this size knows: heads, pool, fragments.
   void report(TracerMemory& memory, std::uint64_t entryBytes) const;
@@ -44,7 +43,8 @@ class PagePool {
   const gl::Api* api_;
   std::uint32_t pageSize_;
   std::uint32_t pages_ = 0;
-  gl::Buffer heads_, links_, counters_;
+  gl::Buffer heads_, links_;
+  BuildCounters counters_;
 };
 
 }  // namespace halfsilver

@@ -5,7 +5,7 @@
 namespace halfsilver {
 
 void rasterizeScene(const gl::Api& api, const gl::Program& program, const gl::EmptyVertexArray& vertexArray,
-                    const GpuScene& scene, const RasterShape& shape) {
+                    const GpuScene& scene, const RasterShape& shape, const gl::Buffer* indirect) {
   const gl::Framebuffer framebuffer(api, shape.resolution, shape.resolution);
   framebuffer.bind();
   api.Viewport(0, 0, shape.resolution, shape.resolution);
@@ -16,8 +16,13 @@ void rasterizeScene(const gl::Api& api, const gl::Program& program, const gl::Em
   api.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
   vertexArray.bind();
   program.use();
-  api.DrawArraysInstanced(GL_TRIANGLES, 0, static_cast<GLsizei>(scene.triangleCount) * shape.verticesPerTriangle,
-                          shape.projections);
+  if (indirect) {
+    api.BindBuffer(GL_DRAW_INDIRECT_BUFFER, indirect->name());
+    api.DrawArraysIndirect(GL_TRIANGLES, nullptr);
+  } else {
+    api.DrawArraysInstanced(GL_TRIANGLES, 0, static_cast<GLsizei>(scene.triangleCount) * shape.verticesPerTriangle,
+                            shape.projections);
+  }
   api.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 

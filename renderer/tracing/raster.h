@@ -12,10 +12,10 @@ struct RasterShape {
   int verticesPerTriangle = 3;  // 6: conservative
 };
 
-// Draws all triangles with vertex pulling into a raster without attachments: no depth test, no culling, no blending;
-// fragments write through storage buffers and images only.
+// Draws all triangles, or those of `indirect` (an indirect draw's arguments), with vertex pulling into a raster without
+// attachments: no depth test, no culling, no blending; fragments write through storage buffers and images only.
 void rasterizeScene(const gl::Api& api, const gl::Program& program, const gl::EmptyVertexArray& vertexArray,
-                    const GpuScene& scene, const RasterShape& shape);
+                    const GpuScene& scene, const RasterShape& shape, const gl::Buffer* indirect = nullptr);
 
 // Runs a compute program of 64 invocations a group for `count` items, in two dimensions where one is too short; see
 // the index computation in shaders/tracing/voxel_axis.comp.

@@ -48,29 +48,37 @@ void TracePass::dispatch(const RayQueue& rays) const {
   api_->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
 }
 
-void TracePass::run(const RayQueue& rays, const Hits& hits, gl::Profiler& profiler) const {
-  const auto scope = profiler.section("trace");
+void TracePass::bind(const RayQueue& rays, const Hits& hits) const {
   rays.rays.bindStorage(SSBO_RAYS);
   rays.count.bindStorage(SSBO_RAY_COUNT);
   hits.hits.bindStorage(SSBO_HITS);
   if (hits.surfaces) hits.surfaces.bindStorage(SSBO_HIT_SURFACES);
+}
+
+void TracePass::run(const RayQueue& rays, const Hits& hits, gl::Profiler& profiler, const Supply& supply) const {
   // The queue (selection, shading) is read as arguments of the dispatch and by the trace.
   api_->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
-
   const bool limited = api_->software;
+  const bool once = !limited && !supply;
   program_.set("workLimit", limited ? kSoftwareWorkLimit : std::numeric_limits<int>::max());
-  for (int i = 0; i < (limited ? kMostDispatches : 1); ++i) {
-    const bool last = !limited || i + 1 == kMostDispatches;
-    program_.set("resuming", i > 0 ? 1 : 0);
-    program_.set("lastDispatch", last ? 1 : 0);
-    dispatch(rays);
-    if (last) break;
+  bool more = !once;
+  for (int i = 0; i < kMostDispatches; ++i) {
+    more = more && i + 1 < kMostDispatches;
     GLuint unfinished = 0;
-    rays.count.read(kUnfinishedOffset, &unfinished, sizeof(unfinished));
-    if (unfinished == 0) break;
-    const GLuint none = 0;
-    // Written through the buffer, which GL orders against the dispatches.
-    api_->NamedBufferSubData(rays.count.name(), kUnfinishedOffset, sizeof(none), &none);
+    {
+      const auto scope = profiler.section("trace");
+      bind(rays, hits);
+      program_.set("resuming", i > 0 ? 1 : 0);
+      program_.set("lastDispatch", more ? 0 : 1);
+      dispatch(rays);
+      if (!more) break;
+      rays.count.read(kUnfinishedOffset, &unfinished, sizeof(unfinished));
+      if (unfinished == 0) break;
+      const GLuint none = 0;
+      // Written through the buffer, which GL orders against the dispatches.
+      api_->NamedBufferSubData(rays.count.name(), kUnfinishedOffset, sizeof(none), &none);
+    }
+    if (supply) more = supply();
   }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <span>
 
 #include "frame/products.h"
@@ -17,10 +18,16 @@ class TracePass {
   // For the method's own uniforms.
   const gl::Program& program() const { return program_; }
 
-  // Section "trace". The method has bound its structure. Ends with the hits readable by shaders.
-  void run(const RayQueue& rays, const Hits& hits, gl::Profiler& profiler) const;
+  // Called with rays left unfinished, between two dispatches; makes what they wait for and binds all of the method's
+  // structure anew. False: nothing more comes, what the next dispatch leaves is overflow.
+  using Supply = std::function<bool()>;
+
+  // Section "trace". The method has bound its structure. Ends with the hits readable by shaders. Without `supply` and
+  // where the driver lets loops run, one dispatch does it all and nothing waits for the GPU.
+  void run(const RayQueue& rays, const Hits& hits, gl::Profiler& profiler, const Supply& supply = {}) const;
 
  private:
+  void bind(const RayQueue& rays, const Hits& hits) const;
   void dispatch(const RayQueue& rays) const;
 
   const gl::Api* api_;

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <glm/glm.hpp>
 #include <memory>
 #include <string>
 #include <vector>
@@ -14,6 +15,7 @@ namespace halfsilver {
 
 // What a tracer's structure holds after a build. Bytes unless said otherwise.
 struct TracerMemory {
+  glm::ivec3 grid{0};  // count: voxels along each axis; 0 without a grid
   std::uint64_t voxels = 0;
   std::uint64_t heads = 0;
   std::uint64_t poolReserved = 0;

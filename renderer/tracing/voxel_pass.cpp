@@ -15,11 +15,6 @@ std::vector<gl::Define> rasterDefines(VoxelRaster raster, AxisRule axis) {
   return defines;
 }
 
-std::size_t voxelCount(const Grid& grid) {
-  const auto n = static_cast<std::size_t>(grid.voxels);
-  return n * n * n;
-}
-
 }  // namespace
 
 std::size_t Voxels::bytes() const {
@@ -38,7 +33,7 @@ VoxelPass::VoxelPass(const gl::Api& api, VoxelRaster raster, AxisRule axis)
 
 void VoxelPass::run(const GpuScene& scene, const Grid& grid, Voxels& out, gl::Profiler& profiler) const {
   const auto scope = profiler.section("voxelize");
-  const std::size_t words = (voxelCount(grid) + VOXELS_PER_WORD - 1) / VOXELS_PER_WORD;
+  const std::size_t words = (grid.voxelCount() + VOXELS_PER_WORD - 1) / VOXELS_PER_WORD;
   if (out.words.bytes() != words * sizeof(GLuint)) out.words = gl::Buffer(*api_, words * sizeof(GLuint), "voxel grid");
   out.words.fill(0);
   out.words.bindStorage(SSBO_VOXELS);
@@ -56,7 +51,7 @@ void VoxelPass::run(const GpuScene& scene, const Grid& grid, Voxels& out, gl::Pr
   // The raster of Hu et al. is that of the three A-buffers, so all three projections vote; the others project each
   // triangle along its own axis, as do masks of own axes whatever the raster.
   const bool allProjections = raster_ == VoxelRaster::abuffer && axis_ != AxisRule::own;
-  const int resolution = raster_ == VoxelRaster::abuffer ? grid.texels : grid.voxels;
+  const int resolution = raster_ == VoxelRaster::abuffer ? grid.texels : grid.longestSide();
   grid.apply(rasterize_);
   rasterize_.set("ownAxis", allProjections ? 0 : 1);
   rasterize_.set("rasterResolution", resolution);

@@ -13,16 +13,20 @@
 #define SSBO_LIGHTS 4      // GpuLight[lights]
 #define SSBO_DRAW_LIST 5   // uint[triangles]: triangle numbers in drawing order
 // Rays.
-#define SSBO_RAYS 6         // Ray[]
-#define SSBO_RAY_COUNT 7    // RayCount
-#define SSBO_HITS 8         // Hit[]
-#define SSBO_HIT_SURFACES 9 // HitSurface[], methods that store attributes
+#define SSBO_RAYS 6          // Ray[]
+#define SSBO_RAY_COUNT 7     // RayCount
+#define SSBO_HITS 8          // Hit[]
+#define SSBO_HIT_SURFACES 9  // HitSurface[], methods that store attributes
 // The method's own structure.
 #define SSBO_VOXELS 10
 #define SSBO_HEADS 11
 #define SSBO_ENTRIES 12
 #define SSBO_LINKS 13
 #define SSBO_COUNTERS 14
+// Where no page links are: numbers of lists, and what a build of lists needs for a while.
+#define SSBO_RANKS 15
+#define SSBO_REQUESTED 5   // shares the draw list's number: rasterization for the screen and tracing never meet
+#define SSBO_LIST_BUILD 9  // ListBuild; shares the number of surfaces that methods with attributes store
 // Sums of normals while voxels are made, before there are heads, entries and links.
 #define SSBO_NORMAL_X 11
 #define SSBO_NORMAL_Y 12
@@ -34,9 +38,9 @@
 // Texture units.
 #define TEXTURE_BUCKETS 8  // material textures, sampler2DArray, units 0..7
 #define UNIT_MATERIAL_TEXTURES 0
-#define UNIT_SHADOW_MAPS 8      // sampler2DArrayShadow
-#define UNIT_SKY 9              // sampler2D, equirectangular
-#define UNIT_POSITION 10        // G-buffer
+#define UNIT_SHADOW_MAPS 8  // sampler2DArrayShadow
+#define UNIT_SKY 9          // sampler2D, equirectangular
+#define UNIT_POSITION 10    // G-buffer
 #define UNIT_NORMAL 11
 #define UNIT_BASE_COLOR 12
 #define UNIT_MATERIAL 13
@@ -52,8 +56,8 @@
 #define IMAGE_BASE_COLOR 2
 #define IMAGE_MATERIAL 3
 #define IMAGE_EMISSIVE 4
-#define IMAGE_SHADED 5     // deferred radiance; a: sky visibility
-#define IMAGE_REFLECTION 6 // radiance carried by the traced rays; a: 1 where traced
-#define IMAGE_POOL 7       // entries of the attribute method
+#define IMAGE_SHADED 5      // deferred radiance; a: sky visibility
+#define IMAGE_REFLECTION 6  // radiance carried by the traced rays; a: 1 where traced
+#define IMAGE_POOL 7        // entries of the attribute method
 
 #endif

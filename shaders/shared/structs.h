@@ -16,7 +16,7 @@
 #define MATERIAL_CUT 2u    // alpha is tested against `cutoff`
 #define MATERIAL_BLEND 4u  // the factor's alpha is left out of the test
 #define MATERIAL_UNLIT 8u
-#define MATERIAL_MIRROR 16u  // f0 is `mirror`, roughness 0, no normal map
+#define MATERIAL_MIRROR 16u        // f0 is `mirror`, roughness 0, no normal map
 #define MATERIAL_TEXTURES_SHIFT 8  // from this bit on: which of the textures there are
 
 // GpuTexture::sampling: bits 0..1 wrap u, 2..3 wrap v (0 repeat, 1 mirror, 2 clamp), 4 nearest magnification,
@@ -30,10 +30,10 @@
 #define LIGHT_SKY 3u
 
 struct VertexAttributes {
-  vec4 normalU;   // xyz normal, w uv0.x
-  vec4 tangent;   // xyz tangent, w bitangent sign
-  vec4 uv;        // uv0.y, uv1.x, uv1.y, unused
-  vec4 color;     // linear
+  vec4 normalU;  // xyz normal, w uv0.x
+  vec4 tangent;  // xyz tangent, w bitangent sign
+  vec4 uv;       // uv0.y, uv1.x, uv1.y, unused
+  vec4 color;    // linear
 };
 
 struct GpuTexture {
@@ -65,18 +65,18 @@ struct GpuMaterial {
 #define TEXTURE_SPECULAR_COLOR 6
 
 struct GpuLight {
-  vec4 positionRange;   // xyz, w range (0: unlimited)
-  vec4 directionType;   // xyz the way the light travels, w type as float
-  vec4 color;           // linear times intensity; w width of a shadow texel, metres (point, spot: at distance 1)
-  vec4 cone;            // x scale and y offset of the spot's angular falloff; z first shadow layer or -1; w layers
-  mat4 shadow[6];       // world to shadow map, a matrix a layer
+  vec4 positionRange;  // xyz, w range (0: unlimited)
+  vec4 directionType;  // xyz the way the light travels, w type as float
+  vec4 color;          // linear times intensity; w width of a shadow texel, metres (point, spot: at distance 1)
+  vec4 cone;           // x scale and y offset of the spot's angular falloff; z first shadow layer or -1; w layers
+  mat4 shadow[6];      // world to shadow map, a matrix a layer
 };
 
 // One reflected ray (48 bytes).
 struct Ray {
-  vec4 originPixel;      // xyz; w uintBitsToFloat(y * width + x)
-  vec4 directionExclude; // unit xyz; w uintBitsToFloat(triangle that the ray starts on)
-  vec4 throughput;       // rgb; w path length from the eye to the origin, metres (for texture footprints)
+  vec4 originPixel;       // xyz; w uintBitsToFloat(y * width + x)
+  vec4 directionExclude;  // unit xyz; w uintBitsToFloat(triangle that the ray starts on)
+  vec4 throughput;        // rgb; w path length from the eye to the origin, metres (for texture footprints)
 };
 
 // Filled by the selection; `groups*` is an indirect dispatch of 64 rays a group.
@@ -85,10 +85,22 @@ struct RayCount {
   uint groupsY;
   uint groupsZ;
   uint count;
-  uint selected;  // before select.fraction
-  uint unfinished; // rays that a dispatch left for the next one (see tracing)
-  uint overflow;  // rays that were given up
+  uint selected;    // before select.fraction
+  uint unfinished;  // rays that a dispatch left for the next one (see tracing)
+  uint overflow;    // rays that were given up
   uint padding;
+};
+
+// A build of lists: an indirect draw of the triangles for it, then counts.
+struct ListBuild {
+  uint vertexCount;
+  uint instanceCount;
+  uint firstVertex;
+  uint firstInstance;
+  uint requested;  // lists that rays wait for
+  uint total;      // the last prefix sum
+  uint padding0;
+  uint padding1;
 };
 
 // Result of one ray (16 bytes). t in metres along the unit direction; triangle is NO_TRIANGLE unless it hit.
@@ -108,15 +120,15 @@ struct HitSurface {
 // Constants of one frame.
 struct FrameConstants {
   mat4 viewProjection;
-  vec4 eye;            // xyz; w pixel cone: width at distance 1
-  vec4 forward;        // unit; w near plane
-  vec4 right;          // times tan(half fov) times aspect; pixel ray = forward + x * right + y * up, x, y in -1..1;
-                       // w far plane, 0: infinite
-  vec4 up;             // times tan(half fov)
-  vec4 boundsLow;      // scene bounds; w diagonal
-  vec4 boundsHigh;     // w smallest hit distance (1e-5 of the diagonal)
-  vec4 skyZenith;      // rgb times intensity; w 1 where the sky is an image
-  vec4 skyHorizon;     // w the image's intensity
+  vec4 eye;         // xyz; w pixel cone: width at distance 1
+  vec4 forward;     // unit; w near plane
+  vec4 right;       // times tan(half fov) times aspect; pixel ray = forward + x * right + y * up, x, y in -1..1;
+                    // w far plane, 0: infinite
+  vec4 up;          // times tan(half fov)
+  vec4 boundsLow;   // scene bounds; w diagonal
+  vec4 boundsHigh;  // w smallest hit distance (1e-5 of the diagonal)
+  vec4 skyZenith;   // rgb times intensity; w 1 where the sky is an image
+  vec4 skyHorizon;  // w the image's intensity
   vec4 skyGround;
   uint width;
   uint height;
@@ -125,9 +137,9 @@ struct FrameConstants {
   float maxRoughness;
   float minReflectivity;
   float selectFraction;
-  float exposure;      // factor
-  uint selectMode;     // 0 none, 1 reflective, 2 all
-  uint toneMap;        // 0 filmic, 1 none
+  float exposure;   // factor
+  uint selectMode;  // 0 none, 1 reflective, 2 all
+  uint toneMap;     // 0 filmic, 1 none
   uint bounces;
   uint padding;
 };

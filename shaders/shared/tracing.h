@@ -21,15 +21,23 @@
 // Counters of a build, spread over COUNTER_SLOTS copies to spare the atomics; only slot 0 counts pages.
 #define COUNTER_SLOTS 64
 #define COUNTER_KINDS 8
-#define COUNTER_PAGES 0       // pages asked for
-#define COUNTER_SPARE 1       // a page + 1 that was taken but not linked, free for the next taker
-#define COUNTER_FRAGMENTS 2   // made by rasterization
-#define COUNTER_LOST 3        // stored nowhere: the pool was full
-#define COUNTER_STORED_X 4    // stored in the A-buffer of x; y and z follow
-#define COUNTER_UNSORTED 7    // set by a sorting step that still found two runs to merge
+#define COUNTER_PAGES 0      // pages asked for
+#define COUNTER_SPARE 1      // a page + 1 that was taken but not linked, free for the next taker
+#define COUNTER_FRAGMENTS 2  // made by rasterization
+#define COUNTER_LOST 3       // stored nowhere: the pool was full
+#define COUNTER_STORED_X 4   // stored in the A-buffer of x; y and z follow
+#define COUNTER_UNSORTED 7   // set by a sorting step that still found two runs to merge
 
 // Fixed-point scale of the sums of normals in a voxel.
 #define NORMAL_SCALE 4096.0
+
+// Places of lists that are not there: never asked for, and asked for but not built yet.
+#define LIST_MISSING 0xffffffffu
+#define LIST_REQUESTED 0xfffffffeu
+
+// Prefix sums: invocations a group, items an invocation.
+#define SUM_GROUP 128
+#define SUM_ITEMS 16
 
 // Hit::triangle of a ray that a dispatch left unfinished; Hit::t is where to go on.
 #define UNFINISHED_TRIANGLE 0xfffffffeu

@@ -1,6 +1,8 @@
 // Search in a voxel for the methods that store attributes (Hu et al. 2014, section 3.2): linear search for the first
 // point of the ray that lies inside an object, by the depths of the fragments in each point's texel, then binary search
 // back to where the ray went in. LINEAR_STEPS > 0 takes that many equal steps; 0 visits every texel (full 2D-DDA).
+#define PAGE_ACCESS readonly
+#include "tracing/pages.glsl"
 #define POOL_ACCESS readonly
 #include "tracing/attributes_entry.glsl"
 
@@ -30,13 +32,14 @@ struct Slab {
 // that face along it, as those of the surface that it leaves do.
 bool counts(TraceRay ray, vec3 normal, uint triangle, float t) {
   if (triangle == ray.excluded) return false;
-  float nearby = 4.0 / (float(voxelResolution) * max(gridInverse.x, max(gridInverse.y, gridInverse.z)));
+  vec3 voxelsPerMetre = vec3(voxelCount) * gridInverse;
+  float nearby = 4.0 / max(voxelsPerMetre.x, max(voxelsPerMetre.y, voxelsPerMetre.z));
   return t > nearby || dot(normal, ray.direction) <= 0.0;
 }
 
 Sample sampleAt(TraceRay ray, Slab slab, float t, ivec2 texel, inout int work) {
   Sample s = Sample(t, permute(ray.gridOrigin + ray.gridDirection * t, slab.axis).z, 0.0, noFragment, 0.0, 0.0);
-  PageCursor it = firstEntry(heads[headIndex(slab.axis, 0, texel)]);
+  PageCursor it = firstEntry(heads[headIndex(slab.axis, texel)]);
   bool going = it.entry != noCursor;
   while (going) {
     float depth = imageLoad(pool, int(it.entry) * ENTRY_TEXELS).w;
@@ -111,8 +114,9 @@ void searchBuffer(TraceRay ray, int axis, float begin, float end, inout Hit best
   vec2 depths = vec2(permute(ray.gridOrigin + ray.gridDirection * begin, axis).z,
                      permute(ray.gridOrigin + ray.gridDirection * end, axis).z);
   // The voxel's own range, and a texel more: a surface's fragment may lie just across the border.
-  float cell = floor(0.5 * (depths.x + depths.y) * float(voxelResolution));
-  Slab slab = Slab(axis, vec2(cell, cell + 1.0) / float(voxelResolution) + vec2(-1.0, 1.0) / float(bufferResolution));
+  float layers = float(voxelCount[axis]);
+  float layer = floor(0.5 * (depths.x + depths.y) * layers);
+  Slab slab = Slab(axis, vec2(layer, layer + 1.0) / layers + vec2(-1.0, 1.0) / float(bufferResolution));
 
   float known = best.t;
   Sample last = sampleAt(ray, slab, begin, texelAt(ray, axis, begin), work);
@@ -150,10 +154,25 @@ void searchBuffer(TraceRay ray, int axis, float begin, float end, inout Hit best
 #endif
 }
 
-// The first surface found ends the search: one surface a voxel is the methods' assumption.
-bool searchVoxel(TraceRay ray, uint mask, float begin, float end, inout Hit best, inout int work) {
-  for (uint left = mask; left != 0u; left &= left - 1u) searchBuffer(ray, findLSB(left), begin, end, best, work);
-  return best.t < farAway;
+// From voxel to voxel until one answers: one surface a voxel is the methods' assumption, and the first one found ends
+// the search. False where the ray is not through; `t` is then the voxel to go on with.
+bool march(TraceRay ray, inout float t, float end, inout Hit best) {
+  int work = 0;
+  bool yielded = false;
+  bool going = t < end;
+  VoxelWalk walk = startVoxelWalk(ray, t);
+  while (going) {
+    float leave = max(t, min(voxelExit(walk), end));
+    for (uint left = voxelMask(walk.voxel); left != 0u; left &= left - 1u)
+      searchBuffer(ray, findLSB(left), t, leave, best, work);
+    going = best.t == farAway && !cut && leave < end && stepVoxelWalk(ray, walk);
+    if (going) {
+      t = leave;
+      yielded = ++work >= workLimit;
+      going = !yielded;
+    }
+  }
+  return !(cut || yielded || going);
 }
 
 void storeSurface(uint index, Hit hit) {

@@ -10,6 +10,7 @@
 #include "lib/surface.glsl"
 #include "tracing/stored_surface.glsl"
 #include "tracing/grid.glsl"
+#include "tracing/counters.glsl"
 #define PAGE_ACCESS coherent
 #define PAGE_WRITE
 #include "tracing/pages.glsl"
@@ -27,8 +28,8 @@ layout(location = 2) in vec3 inBarycentricsDepth;
 
 // Whether this A-buffer is that of the fragment's voxel.
 bool wanted(ivec2 texel, float depth) {
-  ivec3 cell = ivec3(texel * voxelResolution / bufferResolution,
-                     clamp(int(floor(depth * float(voxelResolution))), 0, voxelResolution - 1));
+  ivec3 voxels = permutedVoxels(inAxis);
+  ivec3 cell = ivec3(texel * voxels.xy / bufferResolution, clamp(int(floor(depth * float(voxels.z))), 0, voxels.z - 1));
   return (voxelMask(ivec3(unpermute(vec3(cell), inAxis))) & (1u << uint(inAxis))) != 0u;
 }
 
@@ -40,7 +41,7 @@ void main() {
   when ((materials[triangleAt(inTriangle).w].flags & MATERIAL_CUT) != 0u) covered = !cutAway(inTriangle, barycentrics);
   if (covered) countAt(COUNTER_FRAGMENTS, texel);
   when (covered && (storeAll == 1 || wanted(texel, depth))) {
-    uint entry = reserveEntry(headIndex(inAxis, 0, texel));
+    uint entry = reserveEntry(headIndex(inAxis, texel));
     when (entry != noEntry) {
       StoredSurface surface = evaluateStoredSurface(inTriangle, barycentrics, texelSize);
       imageStore(pool, int(entry) * ENTRY_TEXELS, vec4(surface.baseColor, depth));

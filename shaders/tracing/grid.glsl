@@ -4,9 +4,8 @@
 
 uniform vec3 gridLow;         // world
 uniform vec3 gridInverse;     // 1 / extent
-uniform int voxelResolution;  // along each axis
-uniform int bufferResolution;
-uniform int depthSlabs;       // lists a texel, each for its share of the depth
+uniform ivec3 voxelCount;     // along each axis
+uniform int bufferResolution;  // texels along each axis, where the A-buffers have a raster of their own
 
 vec3 toGrid(vec3 position) { return (position - gridLow) * gridInverse; }
 
@@ -15,6 +14,9 @@ vec3 permute(vec3 v, int axis) { return axis == 0 ? v.yzx : (axis == 1 ? v.zxy :
 // Its inverse.
 vec3 unpermute(vec3 v, int axis) { return axis == 0 ? v.zxy : (axis == 1 ? v.yzx : v.xyz); }
 
+// Voxels along the axes of an A-buffer, its depth last.
+ivec3 permutedVoxels(int axis) { return ivec3(permute(vec3(voxelCount), axis)); }
+
 // Dominant axis of a direction; ties go to the lower axis on every device.
 int dominantAxis(vec3 direction) {
   vec3 size = abs(direction);
@@ -22,12 +24,9 @@ int dominantAxis(vec3 direction) {
 }
 
 uint voxelIndex(ivec3 voxel) {
-  return uint(voxel.x) + uint(voxelResolution) * (uint(voxel.y) + uint(voxelResolution) * uint(voxel.z));
+  return uint(voxel.x) + uint(voxelCount.x) * (uint(voxel.y) + uint(voxelCount.y) * uint(voxel.z));
 }
 
-int slabOf(float depth) { return clamp(int(floor(depth * float(depthSlabs))), 0, depthSlabs - 1); }
-
-uint headIndex(int axis, int slab, ivec2 texel) {
-  uint row = (uint(axis) * uint(depthSlabs) + uint(slab)) * uint(bufferResolution) + uint(texel.y);
-  return row * uint(bufferResolution) + uint(texel.x);
+uint headIndex(int axis, ivec2 texel) {
+  return (uint(axis) * uint(bufferResolution) + uint(texel.y)) * uint(bufferResolution) + uint(texel.x);
 }

@@ -1,9 +1,15 @@
-// Search in a voxel for the identity method: every triangle of the texels that the ray crosses is tested exactly; the
-// nearest hit wins, equal distances go to the lower number, so the order of a list has no say.
-#include "tracing/identity_entry.glsl"
-#include "tracing/ray_triangle.glsl"
+// Search of the identity method: every triangle of the voxels that the ray crosses is tested exactly; the nearest hit
+// wins, equal distances go to the lower number, so the order of a list has no say.
+//
+// Lists are built on demand. A ray that comes to a voxel whose list is missing requests it, and those of the next few
+// voxels on its way, and waits for the next dispatch.
+#include "tracing/voxel_lists.glsl"
+#define REQUEST_ACCESS coherent
+#include "tracing/requested_voxels.glsl"
 
-layout(std430, binding = SSBO_ENTRIES) readonly buffer EntryBlock { uvec2 entries[]; };
+layout(std430, binding = SSBO_ENTRIES) readonly buffer EntryBlock { uint entries[]; };  // triangle numbers
+layout(std430, binding = SSBO_LIST_BUILD) coherent buffer ListBuildBlock { ListBuild listBuild; };
+uniform int lookAhead;  // occupied voxels that a waiting ray requests
 
 void testCandidate(TraceRay ray, uint triangle, inout Hit best) {
   vec3 a, b, c;
@@ -12,7 +18,7 @@ void testCandidate(TraceRay ray, uint triangle, inout Hit best) {
   bool back;
   bool met = intersectTriangle(ray.shear, ray.origin, a, b, c, tuv, back);
   bool nearer = tuv.x >= ray.least && (tuv.x < best.t || (tuv.x == best.t && triangle < best.triangle));
-  when (met && nearer) {
+  when (met && nearer && triangle != ray.excluded) {
     uint material = triangleAt(triangle).w;
     bool visible = !back || doubleSided(material);
     when (visible && (materials[material].flags & MATERIAL_CUT) != 0u) visible = !cutAway(triangle, tuv.yz);
@@ -20,42 +26,67 @@ void testCandidate(TraceRay ray, uint triangle, inout Hit best) {
   }
 }
 
-// Looks at what the A-buffer of `axis` holds along the ray from `begin` to `end`. `best.t` starts at a large number.
-void searchBuffer(TraceRay ray, int axis, float begin, float end, inout Hit best, inout int work) {
-  TexelWalk walk = startTexelWalk(ray, axis, begin);
-  float enter = begin;
-  bool going = true;
-  while (going) {
-    float leave = min(walkExit(walk), end);
-    vec2 depths = vec2(walk.depth + walk.depthStep * enter, walk.depth + walk.depthStep * leave);
-    depths = vec2(min(depths.x, depths.y) - depthSlack, max(depths.x, depths.y) + depthSlack);
-    int slab = slabOf(depths.x), lastSlab = slabOf(depths.y);
-    while (slab <= lastSlab) {
-      PageCursor it = firstEntry(heads[headIndex(axis, slab, walk.texel)]);
-      while (it.entry != noCursor) {
-        uvec2 entry = entries[it.entry];
-        vec2 range = identityDepths(entry);
-        when (range.x <= depths.y && range.y >= depths.x && entry.x != ray.excluded)
-          testCandidate(ray, entry.x, best);
-        nextEntry(it);
-        ++work;
-      }
-      if (it.entry != noCursor) cut = true;
-      ++slab;
-    }
-    if (slab <= lastSlab) cut = true;
-    ++work;
-    enter = leave;
-    // A hit behind this texel may still be beaten by a triangle of the texels before it.
-    going = !cut && leave < end && best.t > leave && stepTexelWalk(walk);
-  }
-  if (going) cut = true;
+// A list that is there has x <= y; one that is asked for or was never needed has no place yet.
+bool present(uvec2 list) { return list.x < LIST_REQUESTED; }
+
+void requestList(ivec3 voxel) {
+  uint list = listOf(voxel);
+  if (heads[list].x != LIST_MISSING) return;
+  heads[list] = uvec2(LIST_REQUESTED, 0u);  // no entries counted yet; rivals write the same
+  uint index = voxelIndex(voxel), bit = 1u << (index & 31u);
+  if ((atomicOr(requestedWords[index >> 5], bit) & bit) == 0u) atomicAdd(listBuild.requested, 1u);
 }
 
-// True when the ray's nearest hit is known: it lies before `end`.
-bool searchVoxel(TraceRay ray, uint mask, float begin, float end, inout Hit best, inout int work) {
-  for (uint left = mask; left != 0u; left &= left - 1u) searchBuffer(ray, findLSB(left), begin, end, best, work);
-  return best.t <= end;
+void requestAhead(TraceRay ray, VoxelWalk walk, float end) {
+  int left = lookAhead;
+  bool going = true;
+  while (going) {
+    if (voxelMask(walk.voxel) != 0u) {
+      requestList(walk.voxel);
+      --left;
+    }
+    going = left > 0 && voxelExit(walk) < end && stepVoxelWalk(ray, walk);
+  }
+}
+
+// False where the ray is not through; `t` is then the voxel to go on with.
+bool march(TraceRay ray, inout float t, float end, inout Hit best) {
+  int work = 0;
+  bool yielded = false;
+  uvec2 list = uvec2(0u);  // what is left of the voxel's candidates
+  VoxelWalk walk = startVoxelWalk(ray, t);
+  float leave = max(t, min(voxelExit(walk), end));
+  bool going = t < end, entered = false;
+  while (going) {
+    // On to the next candidate. Walking and testing take turns, so that rays beside each other stay busy.
+    while (going && list.x == list.y) {
+      if (entered) {
+        // A hit behind this voxel may still be beaten by a triangle of the voxels before it.
+        going = best.t > leave && leave < end && stepVoxelWalk(ray, walk);
+        if (going) {
+          t = leave;
+          leave = max(t, min(voxelExit(walk), end));
+          yielded = ++work >= workLimit;
+          going = !yielded;
+        }
+      }
+      entered = true;
+      if (going && voxelMask(walk.voxel) != 0u) {
+        list = heads[listOf(walk.voxel)];
+        when (!present(list)) {
+          requestAhead(ray, walk, end);
+          yielded = true;
+          going = false;
+        }
+      }
+    }
+    if (going && list.x != list.y) {
+      testCandidate(ray, entries[list.x], best);
+      ++list.x;
+      ++work;
+    }
+  }
+  return !(yielded || going);
 }
 
 void storeSurface(uint index, Hit hit) {}

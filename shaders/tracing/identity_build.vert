@@ -1,4 +1,4 @@
-// Conservative rasterization for identity fragments.
+// Conservative rasterization of the candidates for requested voxels.
 #define CONSERVATIVE
 #include "shared/bindings.h"
 #include "shared/structs.h"
@@ -8,11 +8,13 @@
 #include "tracing/triangle_normal.glsl"
 #include "tracing/triangle_raster.glsl"
 
+layout(std430, binding = SSBO_LINKS) readonly buffer CandidateBlock { uint candidates[]; };
+
 layout(location = 0) flat out uint outTriangle;
 layout(location = 1) flat out int outAxis;
 
 void main() {
-  outTriangle = uint(gl_VertexID) / 6u;
+  outTriangle = candidates[gl_VertexID / 6];
   ProjectedTriangle projected = projectTriangle(outTriangle, gl_InstanceID);
   gl_Position = coveringCorner(projected, gl_VertexID % 6);
   outAxis = projected.axis;

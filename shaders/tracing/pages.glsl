@@ -1,23 +1,17 @@
 // The paged A-buffer: lists of pages a texel (Crassin 2010; Kastrati & Goswami 2017, section 3.2.1), without a lock.
 // Page number and fill of the first page share one word that is changed by compare-and-swap; further pages are full.
-// PAGE_SIZE is a define; 1 makes it a plain linked list.
+// PAGE_SIZE is a define; 1 makes it a plain linked list. PAGE_WRITE needs counters.glsl.
 #include "shared/tracing.h"
 
 layout(std430, binding = SSBO_HEADS) PAGE_ACCESS buffer HeadBlock { uint heads[]; };
 layout(std430, binding = SSBO_LINKS) PAGE_ACCESS buffer LinkBlock { uint links[]; };  // a page: the next page + 1
 
 #ifdef PAGE_WRITE
-layout(std430, binding = SSBO_COUNTERS) coherent buffer CounterBlock { uint counters[]; };
 uniform uint pageCapacity;
 
 const uint noEntry = 0xffffffffu;
 // More failed swaps than there can be rivals for one texel at a time.
 const int maxAttempts = 4096;
-
-void countAt(uint kind, ivec2 texel) {
-  uint slot = uint(texel.x & 7) + uint(texel.y & 7) * 8u;
-  atomicAdd(counters[slot * COUNTER_KINDS + kind], 1u);
-}
 
 // A free page + 1, or 0 where the pool is exhausted.
 uint takePage() {
@@ -58,7 +52,6 @@ uint reserveEntry(uint headSlot) {
 #else
 // for (PageCursor it = firstEntry(head); it.entry != noCursor; nextEntry(it)) visits a texel's entries.
 const uint noCursor = 0xffffffffu;
-bool incomplete = false;  // a visited texel had lost fragments
 struct PageCursor {
   uint entry;
   uint page;  // number + 1

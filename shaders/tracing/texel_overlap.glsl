@@ -5,15 +5,17 @@ const float overlapSlack = 0.01;  // texels
 // Rounding of a texel coordinate, generously.
 const float coordinateError = 1e-4;  // texels
 
+void visitVoxel(ivec3 voxel);
+
 bool separated(vec2 normal, vec2 onEdge, vec2 opposite, float reach) {
   float p = dot(normal, onEdge), q = dot(normal, opposite);
   float r = reach * (abs(normal.x) + abs(normal.y));
   return min(p, q) > r || max(p, q) < -r;
 }
 
-// `a`, `b`, `c`: grid space with depth last; `texel` at `resolution` texels. On true `depths` is the range of depth
+// `a`, `b`, `c`: grid space with depth last; `texel` of a raster of `resolution` texels. On true `depths` is the range of depth
 // (grid units) that the triangle's plane spans over the texel, clipped to the triangle's own range.
-bool touchesTexel(vec3 a, vec3 b, vec3 c, ivec2 texel, float resolution, out vec2 depths) {
+bool touchesTexel(vec3 a, vec3 b, vec3 c, ivec2 texel, vec2 resolution, out vec2 depths) {
   vec2 center = vec2(texel) + 0.5;
   vec2 pa = a.xy * resolution - center, pb = b.xy * resolution - center, pc = c.xy * resolution - center;
   float reach = 0.5 + overlapSlack;
@@ -40,4 +42,17 @@ bool touchesTexel(vec3 a, vec3 b, vec3 c, ivec2 texel, float resolution, out vec
     if (spread < depths.y - depths.x) depths = clamp(vec2(middle - spread, middle + spread), depths.x, depths.y);
   }
   return true;
+}
+
+// Calls visitVoxel(), which the includer has defined, for every voxel of this texel's column that the triangle touches.
+// The raster is the voxel grid's own, seen along `axis`; `a`, `b`, `c` in world space.
+void visitTouchedVoxels(vec3 a, vec3 b, vec3 c, int axis, ivec2 texel) {
+  ivec3 voxels = permutedVoxels(axis);
+  vec2 depths;
+  bool touches = texel.x < voxels.x && texel.y < voxels.y &&
+                 touchesTexel(permute(toGrid(a), axis), permute(toGrid(b), axis), permute(toGrid(c), axis), texel,
+                              vec2(voxels.xy), depths);
+  int first = clamp(int(floor(depths.x * float(voxels.z) - overlapSlack)), 0, voxels.z - 1);
+  int last = touches ? clamp(int(floor(depths.y * float(voxels.z) + overlapSlack)), 0, voxels.z - 1) : -1;
+  for (int depth = first; depth <= last; ++depth) visitVoxel(ivec3(unpermute(vec3(texel, depth), axis)));
 }

@@ -1,4 +1,4 @@
-// Tracing of one ray of the queue: 3D-DDA through the voxels; in an occupied one the method's searchVoxel(). Entry
+// Tracing of one ray of the queue by the method's march(): 3D-DDA through the voxels and a search in occupied ones. Entry
 // points: trace.comp and trace.frag, which share every line (tests hold them to the same bits).
 #include "shared/bindings.h"
 #include "shared/structs.h"
@@ -8,8 +8,6 @@
 #include "lib/textures.glsl"
 #include "lib/alpha.glsl"
 #include "tracing/grid.glsl"
-#define PAGE_ACCESS readonly
-#include "tracing/pages.glsl"
 #define VOXEL_ACCESS readonly
 #include "tracing/voxel_store.glsl"
 #include "tracing/ray_triangle.glsl"
@@ -28,6 +26,7 @@ uniform int workLimit;
 uniform int resuming;
 uniform int lastDispatch;
 bool cut = false;
+bool incomplete = false;  // the ray came by something that is missing from the structure
 
 #ifdef METHOD_IDENTITY
 #include "tracing/identity.glsl"
@@ -56,22 +55,7 @@ void traceRay(uint index) {
   Hit best = Hit(farAway, NO_TRIANGLE, 0.0, 0.0);
   vec2 range = gridRange(ray);
   float t = max(range.x, from);
-  int work = 0;
-  bool yielded = false;
-  bool going = t < range.y;
-  VoxelWalk walk = startVoxelWalk(ray, t);
-  while (going) {
-    float leave = max(t, min(voxelExit(walk), range.y));
-    uint mask = voxelMask(walk.voxel);
-    bool found = searchVoxel(ray, mask, t, leave, best, work);
-    going = !found && !cut && leave < range.y && stepVoxelWalk(ray, walk);
-    if (going) {
-      t = leave;
-      yielded = ++work >= workLimit;
-      going = !yielded;
-    }
-  }
-  if (cut || yielded || going) {
+  if (!march(ray, t, range.y, best)) {
     if (lastDispatch == 0) {
       hits[index] = Hit(t, UNFINISHED_TRIANGLE, incomplete ? 1.0 : 0.0, 0.0);
       atomicAdd(rayCount.unfinished, 1u);

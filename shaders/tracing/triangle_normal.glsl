@@ -1,8 +1,11 @@
-// Triangle normals for choosing an axis. In grid space, because the A-buffers' texels are square there: the axis in
+// Triangle normals for choosing an axis. In units of voxels, because the A-buffers' texels are square there: the axis in
 // which the projection is largest in texels is the one that samples the triangle best.
 
-// Not normalised: twice the area in grid units. Zero for a degenerate triangle.
-vec3 gridNormal(vec3 a, vec3 b, vec3 c) { return cross((b - a) * gridInverse, (c - a) * gridInverse); }
+// Not normalised: twice the area in voxels. Zero for a degenerate triangle.
+vec3 gridNormal(vec3 a, vec3 b, vec3 c) {
+  vec3 scale = gridInverse * vec3(voxelCount);
+  return cross((b - a) * scale, (c - a) * scale);
+}
 
 vec3 unitOrZero(vec3 v) {
   float size = length(v);

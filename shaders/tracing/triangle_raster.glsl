@@ -6,7 +6,7 @@
 // blow up, unlike shifted edges, Hasselgren et al. 2005); the fragment shader rejects what it covers in excess.
 
 uniform int ownAxis;           // 1: one instance, each triangle in its own dominant axis
-uniform int rasterResolution;  // texels of the raster
+uniform int rasterResolution;  // texels along each side of the raster; conservative: the grid's longest side
 
 // Half a texel's diagonal, and room for the rasterizer's snapping of vertices.
 const float conservativeMargin = 0.7072 + 0.05;
@@ -30,7 +30,7 @@ ProjectedTriangle projectTriangle(uint triangle, int instance) {
 #ifdef CONSERVATIVE
 // Corner 0..5 of the two triangles that cover the projection, in clip space.
 vec4 coveringCorner(ProjectedTriangle t, int corner) {
-  float scale = float(rasterResolution);
+  vec2 scale = vec2(permutedVoxels(t.axis).xy);
   vec2 p[3] = vec2[3](t.a.xy * scale, t.b.xy * scale, t.c.xy * scale);
   vec2 edges[3] = vec2[3](p[1] - p[0], p[2] - p[1], p[0] - p[2]);
   vec2 along = edges[0];
@@ -52,6 +52,6 @@ vec4 coveringCorner(ProjectedTriangle t, int corner) {
   bool top = corner == 2 || corner == 4 || corner == 5;
   vec2 q = vec2(right ? high.x : low.x, top ? high.y : low.y);
   vec2 position = p[0] + q.x * along + q.y * across;
-  return vec4(position / scale * 2.0 - 1.0, 0.0, 1.0);
+  return vec4(position / float(rasterResolution) * 2.0 - 1.0, 0.0, 1.0);
 }
 #endif

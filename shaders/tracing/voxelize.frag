@@ -26,8 +26,10 @@ layout(location = 0) flat in uint inTriangle;
 layout(location = 1) flat in int inAxis;
 layout(location = 2) in float inDepth;
 
-void storeVoxel(ivec3 voxel, vec3 a, vec3 b, vec3 c) {
+void visitVoxel(ivec3 voxel) {
 #ifdef ACCUMULATE
+  vec3 a, b, c;
+  trianglePositions(inTriangle, a, b, c);
   vec3 normal = unitOrZero(gridNormal(a, b, c));
   if (absoluteNormals == 1) normal = abs(normal);
   ivec3 votes = ivec3(round(normal * NORMAL_SCALE));
@@ -43,23 +45,15 @@ void storeVoxel(ivec3 voxel, vec3 a, vec3 b, vec3 c) {
 }
 
 void main() {
-  vec3 a, b, c;
-  trianglePositions(inTriangle, a, b, c);
   ivec2 texel = ivec2(gl_FragCoord.xy);
 #ifdef CONSERVATIVE
-  // The raster is the voxel grid's own.
-  vec2 depths;
-  bool touches = touchesTexel(permute(toGrid(a), inAxis), permute(toGrid(b), inAxis), permute(toGrid(c), inAxis), texel,
-                              float(rasterResolution), depths);
-  int first = int(floor(depths.x * float(voxelResolution) - overlapSlack));
-  int last = int(floor(depths.y * float(voxelResolution) + overlapSlack));
-  first = clamp(first, 0, voxelResolution - 1);
-  last = touches ? clamp(last, 0, voxelResolution - 1) : -1;
-  for (int depth = first; depth <= last; ++depth)
-    storeVoxel(ivec3(unpermute(vec3(texel, depth), inAxis)), a, b, c);
+  vec3 a, b, c;
+  trianglePositions(inTriangle, a, b, c);
+  visitTouchedVoxels(a, b, c, inAxis, texel);
 #else
-  ivec2 column = texel * voxelResolution / rasterResolution;
-  int depth = clamp(int(floor(inDepth * float(voxelResolution))), 0, voxelResolution - 1);
-  storeVoxel(ivec3(unpermute(vec3(column, depth), inAxis)), a, b, c);
+  ivec3 voxels = permutedVoxels(inAxis);
+  ivec2 column = texel * voxels.xy / rasterResolution;
+  int depth = clamp(int(floor(inDepth * float(voxels.z))), 0, voxels.z - 1);
+  visitVoxel(ivec3(unpermute(vec3(column, depth), inAxis)));
 #endif
 }

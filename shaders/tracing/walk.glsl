@@ -24,10 +24,10 @@ struct VoxelWalk {
 
 VoxelWalk startVoxelWalk(TraceRay ray, float t) {
   VoxelWalk walk;
-  float n = float(voxelResolution);
-  walk.voxel = clamp(ivec3(floor((ray.gridOrigin + ray.gridDirection * t) * n)), ivec3(0), ivec3(voxelResolution - 1));
+  vec3 at = (ray.gridOrigin + ray.gridDirection * t) * vec3(voxelCount);
+  walk.voxel = clamp(ivec3(floor(at)), ivec3(0), voxelCount - 1);
   for (int i = 0; i < 3; ++i)
-    walk.leave[i] = boundaryAhead(ray.gridOrigin[i], ray.gridDirection[i], walk.voxel[i], n);
+    walk.leave[i] = boundaryAhead(ray.gridOrigin[i], ray.gridDirection[i], walk.voxel[i], float(voxelCount[i]));
   return walk;
 }
 
@@ -38,8 +38,8 @@ bool stepVoxelWalk(TraceRay ray, inout VoxelWalk walk) {
   int axis = walk.leave.x <= walk.leave.y && walk.leave.x <= walk.leave.z ? 0 : (walk.leave.y <= walk.leave.z ? 1 : 2);
   walk.voxel[axis] += ray.gridDirection[axis] > 0.0 ? 1 : -1;
   walk.leave[axis] =
-      boundaryAhead(ray.gridOrigin[axis], ray.gridDirection[axis], walk.voxel[axis], float(voxelResolution));
-  return walk.voxel[axis] >= 0 && walk.voxel[axis] < voxelResolution;
+      boundaryAhead(ray.gridOrigin[axis], ray.gridDirection[axis], walk.voxel[axis], float(voxelCount[axis]));
+  return walk.voxel[axis] >= 0 && walk.voxel[axis] < voxelCount[axis];
 }
 
 struct TexelWalk {

@@ -40,30 +40,34 @@ HitErrors compareHits(const Frame& frame, const Frame& exact, float diagonal) {
   return errors;
 }
 
-Frame RenderTest::drawFrames(const Scene& scene, const Camera& camera, const Settings& settings, int width, int height,
-                             int most) {
+Renderer RenderTest::makeRenderer(const Scene& scene) {
   Renderer renderer([this](const char* name) { return context.getProcAddress()(name); },
                     makeExactTracerFactory(scene, 2));
   renderer.setScene(scene);
+  return renderer;
+}
+
+Frame RenderTest::drawWith(Renderer& renderer, const Camera& camera, const Settings& settings, int width, int height) {
   const gl::Texture color(api, {.format = GL_RGBA8, .width = width, .height = height}, "test picture");
   const gl::Framebuffer framebuffer(api);
   framebuffer.attach(GL_COLOR_ATTACHMENT0, color);
-  Frame frame;
-  for (int i = 0; i < most; ++i) {
-    renderer.render(camera, settings, {framebuffer.name(), 0, 0, width, height});
-    frame.report = renderer.report();
-    if (frame.report.lostFragments == 0) break;
-  }
-  frame.layers = renderer.readLayers();
-  return frame;
+  renderer.render(camera, settings, {framebuffer.name(), 0, 0, width, height});
+  return {renderer.readLayers(), renderer.report()};
 }
 
 Frame RenderTest::draw(const Scene& scene, const Camera& camera, const Settings& settings, int width, int height) {
-  return drawFrames(scene, camera, settings, width, height, 4);
+  Renderer renderer = makeRenderer(scene);
+  Frame frame;
+  for (int i = 0; i < 4; ++i) {
+    frame = drawWith(renderer, camera, settings, width, height);
+    if (frame.report.lostFragments == 0) break;
+  }
+  return frame;
 }
 
 Frame RenderTest::drawOnce(const Scene& scene, const Camera& camera, const Settings& settings, int width, int height) {
-  return drawFrames(scene, camera, settings, width, height, 1);
+  Renderer renderer = makeRenderer(scene);
+  return drawWith(renderer, camera, settings, width, height);
 }
 
 Settings settingsWith(std::initializer_list<std::pair<const char*, const char*>> values) {

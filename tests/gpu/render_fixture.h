@@ -34,8 +34,9 @@ class RenderTest : public ContextTest {
   // Exactly one frame after the scene was set.
   Frame drawOnce(const Scene& scene, const Camera& camera, const Settings& settings, int width, int height);
 
- private:
-  Frame drawFrames(const Scene& scene, const Camera& camera, const Settings& settings, int width, int height, int most);
+  // For sequences of frames: a renderer that holds the scene (which outlives it), and its next frame.
+  Renderer makeRenderer(const Scene& scene);
+  Frame drawWith(Renderer& renderer, const Camera& camera, const Settings& settings, int width, int height);
 };
 
 // Settings as "name=value" pairs over the defaults.

@@ -94,12 +94,12 @@ void AttributeTracer::sortLists() {
   entries_.bindImage(IMAGE_POOL, GL_READ_ONLY);
   sort_.set("headCount", static_cast<GLuint>(heads));
   for (GLuint run = 1; run < (1u << 24); run *= 2) {
-    pool_.resetCounter(COUNTER_UNSORTED);
+    pool_.counters().clear(COUNTER_UNSORTED);
     sort_.set("runLength", run);
     dispatchFor(*api_, sort_, heads);
     // Links (this step) are read by the next step and the trace.
     api_->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
-    if (pool_.count(COUNTER_UNSORTED) == 0) break;
+    if (pool_.counters().sum(COUNTER_UNSORTED) == 0) break;
   }
 }
 
@@ -115,10 +115,11 @@ void AttributeTracer::trace(const GpuScene&, const RayQueue& rays, Hits& hits, g
 TracerMemory AttributeTracer::memory() const {
   TracerMemory memory;
   memory.voxels = voxels_.bytes();
+  memory.grid = grid_.voxels;
   pool_.report(memory, kEntryBytes);
   return memory;
 }
 
-std::uint64_t AttributeTracer::lostFragments() const { return pool_.count(COUNTER_LOST); }
+std::uint64_t AttributeTracer::lostFragments() const { return pool_.counters().sum(COUNTER_LOST); }
 
 }  // namespace halfsilver

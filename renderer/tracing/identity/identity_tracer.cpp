@@ -1,24 +1,41 @@
 #include "tracing/identity/identity_tracer.h"
 
-#include <vector>
+#include <algorithm>
 
+#include "frame/shared_structs.h"
 #include "shared/tracing.h"
 #include "tracing/raster.h"
 
 namespace halfsilver {
 namespace {
 
-constexpr std::uint64_t kEntryBytes = 8;
+constexpr std::uint64_t kEntryBytes = 4;
+constexpr int kVerticesPerTriangle = 6;
 
-gl::Program buildProgram(const gl::Api& api, const Settings& settings) {
-  return gl::Program::raster(api, "tracing/identity_build.vert", "tracing/identity_build.frag",
-                             pageDefines(settings.abuffer.pageSize));
+// Occupied voxels on a waiting ray's way that are built with the one it waits for; doubled each time that rays wait
+// again. Few and many small builds, or fewer builds of lists that nobody needs.
+constexpr int kFirstLookAhead = 4;
+constexpr int kMostLookAhead = 4096;
+// Room beyond what is needed where a pool grows that already holds lists: the next frame will want a little more.
+constexpr double kHeadroom = 1.05;
+
+gl::Program buildProgram(const gl::Api& api, bool fill) {
+  std::vector<gl::Define> defines;
+  if (fill) defines.push_back({"FILL"});
+  return gl::Program::raster(api, "tracing/identity_build.vert", "tracing/identity_build.frag", defines);
 }
 
 TracePass makeTracePass(const gl::Api& api, const Settings& settings) {
-  std::vector<gl::Define> defines = pageDefines(settings.abuffer.pageSize);
-  defines.push_back({"METHOD_IDENTITY"});
+  const gl::Define defines[] = {{"METHOD_IDENTITY"}};
   return TracePass(api, settings.trace.stage, defines);
+}
+
+// Buffers of the size that is wanted now; an empty one cannot be bound.
+void resize(const gl::Api& api, gl::Buffer& buffer, std::size_t bytes, const char* label) {
+  bytes = std::max<std::size_t>(bytes, sizeof(glm::uvec4));
+  if (buffer.bytes() == bytes) return;
+  buffer = gl::Buffer();  // the old one goes first: both at once might not fit
+  buffer = gl::Buffer(api, bytes, label);
 }
 
 }  // namespace
@@ -26,58 +43,167 @@ TracePass makeTracePass(const gl::Api& api, const Settings& settings) {
 // Only conservative voxels hold every triangle, so the other rasters of VoxelRaster are not offered here.
 IdentityTracer::IdentityTracer(const gl::Api& api, const Settings& settings)
     : api_(&api),
-      voxelResolution_(settings.voxels.resolution),
-      bufferResolution_(settings.abuffer.resolution),
-      slabs_(settings.abuffer.slabs),
+      resolution_(settings.voxels.resolution),
+      perTriangle_(static_cast<double>(settings.voxels.perTriangle)),
       ownAxis_(settings.voxels.axis == AxisRule::own),
+      keep_(settings.abuffer.keep),
       voxelPass_(api, VoxelRaster::conservative, settings.voxels.axis),
-      build_(buildProgram(api, settings)),
+      rankSum_(api, "RANKS"),
+      placeSum_(api, "LISTS"),
+      cull_(gl::Program::compute(api, "tracing/identity_cull.comp")),
+      count_(buildProgram(api, false)),
+      fill_(buildProgram(api, true)),
       tracePass_(makeTracePass(api, settings)),
       vertexArray_(api),
-      pool_(api, settings.abuffer.pageSize) {}
+      counters_(api) {}
 
 void IdentityTracer::build(const GpuScene& scene, const RayQueue&, gl::Profiler& profiler) {
-  grid_ = makeGrid(scene.bounds, voxelResolution_, bufferResolution_, slabs_);
+  if (keep_ && geometry_ == scene.geometry) return;
+  geometry_.reset();
+  grid_ = makeCubicGrid(scene.bounds, resolution_, perTriangle_ * static_cast<double>(scene.triangleCount));
   voxelPass_.run(scene, grid_, voxels_, profiler);
+  const auto scope = profiler.section("voxelize");
+  numberLists();
+  geometry_ = scene.geometry;
+}
 
-  const auto scope = profiler.section("build");
-  const auto side = static_cast<std::size_t>(bufferResolution_);
-  const auto mostEntries = static_cast<std::uint64_t>(api_->limits.storageBlockBytes) / kEntryBytes;
-  pool_.begin(3 * side * side * static_cast<std::size_t>(slabs_), 4 * side * side + 8 * scene.triangleCount,
-              mostEntries);
-  if (entries_.bytes() != pool_.capacity() * kEntryBytes) {
-    entries_ = gl::Buffer();  // the old one goes first: both at once might not fit
-    entries_ = gl::Buffer(*api_, pool_.capacity() * kEntryBytes, "A-buffer entries");
-  }
-  // Clears of heads and counters come before the fragments' atomics.
-  api_->MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
-  grid_.apply(build_);
-  build_.set("ownAxis", ownAxis_ ? 1 : 0);
-  build_.set("rasterResolution", bufferResolution_);
-  pool_.bind(build_);
+void IdentityTracer::numberLists() {
+  const auto words = static_cast<std::uint32_t>(voxels_.words.bytes() / sizeof(GLuint));
+  resize(*api_, ranks_, words * sizeof(GLuint), "numbers of lists");
+  resize(*api_, listBuild_, sizeof(shared::ListBuild), "build of lists");
+  resize(*api_, requested_, (grid_.voxelCount() + 31) / 32 * sizeof(GLuint), "requested voxels");
+  const shared::ListBuild none{0, ownAxis_ ? 1u : 3u, 0, 0, 0, 0, 0, 0};
+  listBuild_.write(0, &none, sizeof(none));
+  requested_.fill(0);
+  counters_.clear();
   voxels_.words.bindStorage(SSBO_VOXELS);
+  ranks_.bindStorage(SSBO_RANKS);
+  listBuild_.bindStorage(SSBO_LIST_BUILD);
+  // Clears come before the sums.
+  api_->MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
+  rankSum_.sum(words);
+  rankSum_.place(words);
+  listBuild_.read(offsetof(shared::ListBuild, total), &lists_, sizeof(lists_));
+  resize(*api_, heads_, lists_ * 2 * sizeof(GLuint), "A-buffer heads");
+  heads_.fill(LIST_MISSING);
+  used_ = 0;
+  lost_ = 0;
+  if (!entries_) resize(*api_, entries_, 0, "A-buffer entries");
+  // Heads (clear) are read and written by the trace.
+  api_->MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
+}
+
+void IdentityTracer::bindStructure() const {
+  voxels_.words.bindStorage(SSBO_VOXELS);
+  ranks_.bindStorage(SSBO_RANKS);
+  heads_.bindStorage(SSBO_HEADS);
   entries_.bindStorage(SSBO_ENTRIES);
-  rasterizeScene(*api_, build_, vertexArray_, scene,
-                 {.resolution = bufferResolution_, .projections = ownAxis_ ? 1 : 3, .verticesPerTriangle = 6});
-  // Entries, heads and links (fragments) are read by the trace.
+  requested_.bindStorage(SSBO_REQUESTED);
+  listBuild_.bindStorage(SSBO_LIST_BUILD);
+}
+
+void IdentityTracer::trace(const GpuScene& scene, const RayQueue& rays, Hits& hits, gl::Profiler& profiler) {
+  const gl::Program& program = tracePass_.program();
+  grid_.apply(program);
+  int lookAhead = kFirstLookAhead;
+  program.set("lookAhead", lookAhead);
+  bindStructure();
+  tracePass_.run(rays, hits, profiler, [&] {
+    const auto scope = profiler.section("build");
+    lookAhead = std::min(2 * lookAhead, kMostLookAhead);
+    program.set("lookAhead", lookAhead);
+    const bool more = buildRequested(scene);
+    bindStructure();
+    return more;
+  });
+}
+
+bool IdentityTracer::buildRequested(const GpuScene& scene) {
+  shared::ListBuild state{};
+  listBuild_.read(0, &state, sizeof(state));
+  if (state.requested == 0) return lost_ == 0;
+
+  resize(*api_, candidates_, scene.triangleCount * sizeof(GLuint), "candidates of a build");
+  candidates_.bindStorage(SSBO_LINKS);
+  grid_.apply(cull_);
+  cull_.set("triangleCount", scene.triangleCount);
+  cull_.set("verticesPerTriangle", kVerticesPerTriangle);
+  dispatchFor(*api_, cull_, scene.triangleCount);
+  // Candidates and the draw's arguments (cull) are read by the draws.
+  api_->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
+
+  rasterizeRequested(count_, scene);
+  placeSum_.sum(lists_);
+  listBuild_.read(0, &state, sizeof(state));
+  const bool room = makeRoom(state.total);
+  if (room) {
+    placeSum_.placing().set("firstEntry", static_cast<GLuint>(used_));
+    placeSum_.place(lists_);
+    rasterizeRequested(fill_, scene);
+    used_ += state.total;
+  } else {
+    lost_ += state.total;  // the lists stay requested and missing
+  }
+  state.vertexCount = state.requested = 0;
+  listBuild_.write(0, &state, sizeof(state));
+  requested_.fill(0);
+  // Clears come before the next requests.
+  api_->MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
+  return room;
+}
+
+void IdentityTracer::rasterizeRequested(const gl::Program& program, const GpuScene& scene) {
+  bindStructure();
+  candidates_.bindStorage(SSBO_LINKS);
+  counters_.bind();
+  grid_.apply(program);
+  program.set("ownAxis", ownAxis_ ? 1 : 0);
+  program.set("rasterResolution", grid_.longestSide());
+  rasterizeScene(*api_, program, vertexArray_, scene,
+                 {.resolution = grid_.longestSide(), .projections = 1, .verticesPerTriangle = kVerticesPerTriangle},
+                 &listBuild_);
+  // Counts, then entries and ends of lists (fragments) are read by the sums and by the trace.
   api_->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
-void IdentityTracer::trace(const GpuScene&, const RayQueue& rays, Hits& hits, gl::Profiler& profiler) {
-  grid_.apply(tracePass_.program());
-  pool_.bind(tracePass_.program());
-  voxels_.words.bindStorage(SSBO_VOXELS);
-  entries_.bindStorage(SSBO_ENTRIES);
-  tracePass_.run(rays, hits, profiler);
+bool IdentityTracer::makeRoom(std::uint64_t more) {
+  const std::uint64_t needed = used_ + more;
+  const std::uint64_t most = static_cast<std::uint64_t>(api_->limits.storageBlockBytes) / kEntryBytes;
+  if (needed > most) return false;
+  // A pool of an earlier geometry that is much too large goes, too.
+  if (needed <= capacity() && (used_ > 0 || static_cast<double>(capacity()) <= kHeadroom * static_cast<double>(needed)))
+    return true;
+  if (used_ == 0) {
+    resize(*api_, entries_, needed * kEntryBytes, "A-buffer entries");
+    return true;
+  }
+  const auto wanted = std::min(most, static_cast<std::uint64_t>(kHeadroom * static_cast<double>(needed)));
+  gl::Buffer larger(*api_, wanted * kEntryBytes, "A-buffer entries");
+  // Entries (fragments) are copied.
+  api_->MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+  api_->CopyNamedBufferSubData(entries_.name(), larger.name(), 0, 0, static_cast<GLsizeiptr>(used_ * kEntryBytes));
+  entries_ = std::move(larger);
+  return true;
 }
+
+std::uint64_t IdentityTracer::capacity() const { return entries_.bytes() / kEntryBytes; }
 
 TracerMemory IdentityTracer::memory() const {
   TracerMemory memory;
-  memory.voxels = voxels_.bytes();
-  pool_.report(memory, kEntryBytes);
+  memory.voxels = voxels_.bytes() + ranks_.bytes() + requested_.bytes();
+  memory.heads = heads_.bytes();
+  memory.grid = grid_.voxels;
+  memory.poolReserved = entries_.bytes();
+  memory.poolUsed = used_ * kEntryBytes;
+  memory.fragments = counters_.sum(COUNTER_FRAGMENTS);
+  for (std::uint32_t axis = 0; axis < 3; ++axis) {
+    memory.perAxis[axis] = counters_.sum(COUNTER_STORED_X + axis);
+    memory.fragmentsStored += memory.perAxis[axis];
+  }
+  memory.bytesPerFragment = static_cast<double>(kEntryBytes);
+  memory.structureTotal = memory.voxels + memory.heads + memory.poolReserved + candidates_.bytes() +
+                          listBuild_.bytes() + rankSum_.bytes() + placeSum_.bytes() + counters_.bytes();
   return memory;
 }
-
-std::uint64_t IdentityTracer::lostFragments() const { return pool_.count(COUNTER_LOST); }
 
 }  // namespace halfsilver

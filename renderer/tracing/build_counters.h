@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstdint>
+
+#include "gl/buffer.h"
+
+namespace halfsilver {
+
+// Counts of a build, spread over slots to spare the atomics; see shaders/tracing/counters.glsl for the kinds.
+class BuildCounters {
+ public:
+  explicit BuildCounters(const gl::Api& api);
+
+  void clear() { counters_.fill(0); }
+  // One word of slot 0, for steps that signal through a counter.
+  void clear(std::uint32_t kind) { counters_.fill(0, kind * sizeof(GLuint), sizeof(GLuint)); }
+  void bind() const;  // SSBO_COUNTERS
+
+  // One kind, summed over its slots. Waits for the GPU.
+  std::uint64_t sum(std::uint32_t kind) const;
+
+  std::uint64_t bytes() const { return counters_.bytes(); }
+
+ private:
+  const gl::Api* api_;
+  gl::Buffer counters_;
+};
+
+}  // namespace halfsilver

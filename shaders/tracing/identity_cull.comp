@@ -1,0 +1,37 @@
+// Collects the triangles that may touch a requested voxel, as an indirect draw. One invocation a triangle.
+#include "shared/bindings.h"
+#include "shared/structs.h"
+#include "lib/frame.glsl"
+#include "lib/scene.glsl"
+#include "tracing/grid.glsl"
+#define REQUEST_ACCESS readonly
+#include "tracing/requested_voxels.glsl"
+
+layout(local_size_x = 64) in;
+layout(std430, binding = SSBO_LIST_BUILD) coherent buffer ListBuildBlock { ListBuild listBuild; };
+layout(std430, binding = SSBO_LINKS) writeonly buffer CandidateBlock { uint candidates[]; };
+
+uniform uint triangleCount;
+uniform int verticesPerTriangle;
+
+// Larger ones are taken unseen: their fragments are looked at anyway.
+const int mostVoxels = 512;
+
+void main() {
+  uint triangle = gl_GlobalInvocationID.x + gl_GlobalInvocationID.y * gl_NumWorkGroups.x * gl_WorkGroupSize.x;
+  if (triangle >= triangleCount) return;
+  vec3 a, b, c;
+  trianglePositions(triangle, a, b, c);
+  a = toGrid(a) * vec3(voxelCount);
+  b = toGrid(b) * vec3(voxelCount);
+  c = toGrid(c) * vec3(voxelCount);
+  // Slack beyond that of the fragments, which decide.
+  ivec3 low = clamp(ivec3(floor(min(a, min(b, c)) - 0.05)), ivec3(0), voxelCount - 1);
+  ivec3 high = clamp(ivec3(floor(max(a, max(b, c)) + 0.05)), ivec3(0), voxelCount - 1);
+  ivec3 size = high - low + 1;
+  bool wanted = float(size.x) * float(size.y) * float(size.z) > float(mostVoxels);
+  for (int z = low.z; z <= high.z && !wanted; ++z)
+    for (int y = low.y; y <= high.y && !wanted; ++y)
+      for (int x = low.x; x <= high.x && !wanted; ++x) wanted = requested(ivec3(x, y, z));
+  if (wanted) candidates[atomicAdd(listBuild.vertexCount, uint(verticesPerTriangle)) / uint(verticesPerTriangle)] = triangle;
+}
