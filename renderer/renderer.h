@@ -77,8 +77,8 @@ class Renderer {
   // Uploads moved vertices of the scene that was set; triangles, materials and counts are unchanged.
   void updateVertices(const Scene& scene, std::span<const VertexRange> ranges);
 
-  // Draws one frame into the target at the target's size. Camera is relative to Scene::origin. Waits at most for the
-  // build of the frame before, whose fragment counts size the A-buffer's pool.
+  // Draws one frame into the target at the target's size. Camera is relative to Scene::origin. Waits for the
+  // GPU's counts of what a method has to build (see tracing/README.md).
   void render(const Camera& camera, const Settings& settings, const Target& target);
 
   // What the last frame took and held. Waits for the GPU.

@@ -167,6 +167,7 @@ void updateVertices(GpuScene& gpu, const Scene& scene, std::span<const VertexRan
   }
   if (ranges.empty()) return;
   gpu.bounds = scene.bounds();
+  gpu.moved.assign(ranges.begin(), ranges.end());
   ++gpu.geometry;
 }
 

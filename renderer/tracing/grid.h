@@ -20,6 +20,8 @@ struct Grid {
     return static_cast<std::size_t>(voxels.x) * static_cast<std::size_t>(voxels.y) * static_cast<std::size_t>(voxels.z);
   }
 
+  bool operator==(const Grid&) const = default;
+
   float texelSize() const { return glm::max(extent.x, glm::max(extent.y, extent.z)) / static_cast<float>(texels); }
   // Sets the uniforms of shaders/tracing/grid.glsl.
   void apply(const gl::Program& program) const;

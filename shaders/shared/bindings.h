@@ -27,6 +27,9 @@
 #define SSBO_RANKS 15
 #define SSBO_REQUESTED 5   // shares the draw list's number: rasterization for the screen and tracing never meet
 #define SSBO_LIST_BUILD 9  // ListBuild; shares the number of surfaces that methods with attributes store
+#define SSBO_OLD_VOXELS 6  // while lists are renumbered, in place of rays, their count and hits
+#define SSBO_OLD_RANKS 7
+#define SSBO_OLD_HEADS 8
 // Sums of normals while voxels are made, before there are heads, entries and links.
 #define SSBO_NORMAL_X 11
 #define SSBO_NORMAL_Y 12

@@ -99,8 +99,8 @@ struct ListBuild {
   uint firstInstance;
   uint requested;  // lists that rays wait for
   uint total;      // the last prefix sum
-  uint padding0;
-  uint padding1;
+  uint stale;      // entries of lists that were given up
+  uint padding;
 };
 
 // Result of one ray (16 bytes). t in metres along the unit direction; triangle is NO_TRIANGLE unless it hit.

@@ -1,11 +1,14 @@
-// Collects the triangles that may touch a requested voxel, as an indirect draw. One invocation a triangle.
+// Collects triangles as an indirect draw: those that may touch a requested voxel, or (MOVED) those with a moved vertex.
+// One invocation a triangle.
 #include "shared/bindings.h"
 #include "shared/structs.h"
 #include "lib/frame.glsl"
 #include "lib/scene.glsl"
 #include "tracing/grid.glsl"
+#ifndef MOVED
 #define REQUEST_ACCESS readonly
 #include "tracing/requested_voxels.glsl"
+#endif
 
 layout(local_size_x = 64) in;
 layout(std430, binding = SSBO_LIST_BUILD) coherent buffer ListBuildBlock { ListBuild listBuild; };
@@ -14,12 +17,19 @@ layout(std430, binding = SSBO_LINKS) writeonly buffer CandidateBlock { uint cand
 uniform uint triangleCount;
 uniform int verticesPerTriangle;
 
+#ifdef MOVED
+uniform uint firstVertex;
+uniform uint vertexCount;
+
+bool wantedTriangle(uint triangle) {
+  uvec3 corners = triangleAt(triangle).xyz;
+  return any(lessThan(corners - firstVertex, uvec3(vertexCount)));  // numbers below the first wrap around
+}
+#else
 // Larger ones are taken unseen: their fragments are looked at anyway.
 const int mostVoxels = 512;
 
-void main() {
-  uint triangle = gl_GlobalInvocationID.x + gl_GlobalInvocationID.y * gl_NumWorkGroups.x * gl_WorkGroupSize.x;
-  if (triangle >= triangleCount) return;
+bool wantedTriangle(uint triangle) {
   vec3 a, b, c;
   trianglePositions(triangle, a, b, c);
   a = toGrid(a) * vec3(voxelCount);
@@ -33,5 +43,12 @@ void main() {
   for (int z = low.z; z <= high.z && !wanted; ++z)
     for (int y = low.y; y <= high.y && !wanted; ++y)
       for (int x = low.x; x <= high.x && !wanted; ++x) wanted = requested(ivec3(x, y, z));
-  if (wanted) candidates[atomicAdd(listBuild.vertexCount, uint(verticesPerTriangle)) / uint(verticesPerTriangle)] = triangle;
+  return wanted;
+}
+#endif
+
+void main() {
+  uint triangle = gl_GlobalInvocationID.x + gl_GlobalInvocationID.y * gl_NumWorkGroups.x * gl_WorkGroupSize.x;
+  if (triangle >= triangleCount || !wantedTriangle(triangle)) return;
+  candidates[atomicAdd(listBuild.vertexCount, uint(verticesPerTriangle)) / uint(verticesPerTriangle)] = triangle;
 }

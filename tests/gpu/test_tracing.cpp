@@ -511,6 +511,44 @@ TEST_F(TracingTest, ListsAreBuiltOnDemandAndStay) {
   EXPECT_EQ(moved.layers.data, drawOnce(scene, other, anew, 80, 60).layers.data);
 }
 
+// A frame in which an object moves builds anew what that object touches; pictures are those of a full rebuild.
+TEST_F(TracingTest, MovingTrianglesAreFollowed) {
+  Scene scene = soup(2000);
+  // Corners that keep the bounds as they are.
+  addTriangle(scene, {-2.2f, -0.2f, -2.2f}, {-2.2f, -0.19f, -2.2f}, {-2.19f, -0.2f, -2.2f}, 1);
+  addTriangle(scene, {2.2f, 2.0f, 2.2f}, {2.2f, 1.99f, 2.2f}, {2.19f, 2.0f, 2.2f}, 1);
+  const auto first = static_cast<std::uint32_t>(scene.vertices.size());
+  for (int i = 0; i < 20; ++i) {
+    const float x = 0.02f * static_cast<float>(i);
+    addTriangle(scene, {x, 0.3f, 0}, {x + 0.3f, 0.3f, 0.1f}, {x, 0.7f, 0.2f}, 1);
+  }
+  const VertexRange moving{first, static_cast<std::uint32_t>(scene.vertices.size()) - first};
+  Renderer renderer = makeRenderer(scene);
+  const Settings kept = settingsWith({});
+  Frame frame = drawWith(renderer, kAbove, kept, 80, 60);
+  for (int step = 0; step < 4; ++step) {
+    for (std::uint32_t v = moving.first; v < moving.first + moving.count; ++v)
+      scene.vertices[v].position += glm::vec3(-0.21f, 0.13f, 0.11f);
+    renderer.updateVertices(scene, std::span(&moving, 1));
+    const std::uint64_t madeBefore = frame.report.memory.fragments;
+    frame = drawWith(renderer, kAbove, kept, 80, 60);
+    const Frame anew = drawOnce(scene, kAbove, kept, 80, 60);
+    EXPECT_EQ(frame.layers.data, anew.layers.data) << step;
+    EXPECT_EQ(frame.report.overflow, 0u);
+    // Less is made than by building everything, unless it was time to do that.
+    const std::uint64_t made = frame.report.memory.fragments;
+    if (made > madeBefore) {
+      EXPECT_LT(made - madeBefore, anew.report.memory.fragments / 2) << step;
+    }
+    const HitErrors errors = compareHits(frame, draw(scene, kAbove, settingsWith({{"trace.method", "exact"}}), 80, 60),
+                                         scene.bounds().diagonal());
+    EXPECT_EQ(errors.hitError, 0) << step;
+    std::set<float> ids;
+    for (const float id : frame.plane("hit.id")) ids.insert(id);
+    EXPECT_GT(std::count_if(ids.begin(), ids.end(), [](float id) { return id >= 2004; }), 0) << step;
+  }
+}
+
 // Alpha cuts and back faces are the same rule for the rays of all exact methods.
 TEST_F(TracingTest, RaysSeeHolesAndCulledBacksAsTheReferenceDoes) {
   Scene scene = soup(0);

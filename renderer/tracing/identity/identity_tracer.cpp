@@ -1,6 +1,7 @@
 #include "tracing/identity/identity_tracer.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "frame/shared_structs.h"
 #include "shared/tracing.h"
@@ -19,9 +20,8 @@ constexpr int kMostLookAhead = 4096;
 // Room beyond what is needed where a pool grows that already holds lists: the next frame will want a little more.
 constexpr double kHeadroom = 1.05;
 
-gl::Program buildProgram(const gl::Api& api, bool fill) {
-  std::vector<gl::Define> defines;
-  if (fill) defines.push_back({"FILL"});
+gl::Program buildProgram(const gl::Api& api, const char* what) {
+  const gl::Define defines[] = {{what}};
   return gl::Program::raster(api, "tracing/identity_build.vert", "tracing/identity_build.frag", defines);
 }
 
@@ -51,20 +51,98 @@ IdentityTracer::IdentityTracer(const gl::Api& api, const Settings& settings)
       rankSum_(api, "RANKS"),
       placeSum_(api, "LISTS"),
       cull_(gl::Program::compute(api, "tracing/identity_cull.comp")),
-      count_(buildProgram(api, false)),
-      fill_(buildProgram(api, true)),
+      count_(buildProgram(api, "COUNT")),
+      fill_(buildProgram(api, "FILL")),
       tracePass_(makeTracePass(api, settings)),
       vertexArray_(api),
       counters_(api) {}
 
 void IdentityTracer::build(const GpuScene& scene, const RayQueue&, gl::Profiler& profiler) {
   if (keep_ && geometry_ == scene.geometry) return;
+  const Grid grid = makeCubicGrid(scene.bounds, resolution_, perTriangle_ * static_cast<double>(scene.triangleCount));
+  const bool follows = keep_ && ownAxis_ && geometry_ && *geometry_ + 1 == scene.geometry && grid == grid_;
   geometry_.reset();
-  grid_ = makeCubicGrid(scene.bounds, resolution_, perTriangle_ * static_cast<double>(scene.triangleCount));
-  voxelPass_.run(scene, grid_, voxels_, profiler);
+  grid_ = grid;
+  if (!follows) voxelPass_.run(scene, grid_, voxels_, profiler);
   const auto scope = profiler.section("voxelize");
-  numberLists();
+  if (follows) followMove(scene);
+  // Lists that were given up leave their entries behind; where that is much, all lists begin anew.
+  const bool wasteful = static_cast<double>(used_) > kHeadroom * static_cast<double>(used_ - stale_);
+  if (!follows || wasteful) numberLists();
   geometry_ = scene.geometry;
+}
+
+// Lists may name triangles that have gone: the exact test sees where they are now. So only voxels that moved triangles
+// have come to matter: they are occupied, and their lists are built anew once a ray asks.
+void IdentityTracer::followMove(const GpuScene& scene) {
+  if (!occupy_) {
+    const gl::Define moved[] = {{"MOVED"}};
+    collectMoved_ = gl::Program::compute(*api_, "tracing/identity_cull.comp", moved);
+    occupy_ = buildProgram(*api_, "OCCUPY");
+    forget_ = buildProgram(*api_, "FORGET");
+    renumber_ = gl::Program::compute(*api_, "tracing/identity_renumber.comp");
+  }
+  resize(*api_, candidates_, scene.triangleCount * sizeof(GLuint), "candidates of a build");
+  for (const VertexRange& range : scene.moved) {
+    clearListBuild();
+    candidates_.bindStorage(SSBO_LINKS);
+    listBuild_.bindStorage(SSBO_LIST_BUILD);
+    collectMoved_.set("firstVertex", static_cast<GLuint>(range.first));
+    collectMoved_.set("vertexCount", static_cast<GLuint>(range.count));
+    collect(collectMoved_, scene);
+    const gl::Buffer oldWords = copyOf(voxels_.words);
+    rasterizeCandidates(occupy_, scene);
+    renumber(oldWords);
+    rasterizeCandidates(forget_, scene);
+    std::uint32_t stale = 0;
+    api_->MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);  // counts (fragments) are read by the host
+    listBuild_.read(offsetof(shared::ListBuild, stale), &stale, sizeof(stale));
+    stale_ += stale;
+  }
+  clearListBuild();
+}
+
+gl::Buffer IdentityTracer::copyOf(const gl::Buffer& buffer) const {
+  gl::Buffer copy(*api_, buffer.bytes(), "copy");
+  api_->MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);  // what shaders wrote is copied
+  api_->CopyNamedBufferSubData(buffer.name(), copy.name(), 0, 0, static_cast<GLsizeiptr>(buffer.bytes()));
+  return copy;
+}
+
+// After voxels have become occupied: the lists behind them get higher numbers.
+void IdentityTracer::renumber(const gl::Buffer& oldWords) {
+  const auto words = static_cast<std::uint32_t>(voxels_.words.bytes() / sizeof(GLuint));
+  const gl::Buffer oldRanks = copyOf(ranks_);
+  bindStructure();
+  rankSum_.sum(words);
+  std::uint32_t lists = 0;
+  listBuild_.read(offsetof(shared::ListBuild, total), &lists, sizeof(lists));
+  if (lists == lists_) return;
+  rankSum_.place(words);
+  const gl::Buffer oldHeads = std::move(heads_);
+  heads_ = gl::Buffer(*api_, lists * 2 * sizeof(GLuint), "A-buffer heads");
+  lists_ = lists;
+  bindStructure();
+  oldWords.bindStorage(SSBO_OLD_VOXELS);
+  oldRanks.bindStorage(SSBO_OLD_RANKS);
+  oldHeads.bindStorage(SSBO_OLD_HEADS);
+  renumber_.set("wordCount", words);
+  dispatchFor(*api_, renumber_, words);
+  // Heads (renumbering) are written by fragments and read by the trace.
+  api_->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+}
+
+void IdentityTracer::clearListBuild() {
+  const shared::ListBuild none{0, ownAxis_ ? 1u : 3u, 0, 0, 0, 0, 0, 0};
+  listBuild_.write(0, &none, sizeof(none));
+}
+
+void IdentityTracer::collect(const gl::Program& program, const GpuScene& scene) {
+  program.set("triangleCount", scene.triangleCount);
+  program.set("verticesPerTriangle", kVerticesPerTriangle);
+  dispatchFor(*api_, program, scene.triangleCount);
+  // Candidates and the draw's arguments (collection) are read by the draws.
+  api_->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
 }
 
 void IdentityTracer::numberLists() {
@@ -72,8 +150,7 @@ void IdentityTracer::numberLists() {
   resize(*api_, ranks_, words * sizeof(GLuint), "numbers of lists");
   resize(*api_, listBuild_, sizeof(shared::ListBuild), "build of lists");
   resize(*api_, requested_, (grid_.voxelCount() + 31) / 32 * sizeof(GLuint), "requested voxels");
-  const shared::ListBuild none{0, ownAxis_ ? 1u : 3u, 0, 0, 0, 0, 0, 0};
-  listBuild_.write(0, &none, sizeof(none));
+  clearListBuild();
   requested_.fill(0);
   counters_.clear();
   voxels_.words.bindStorage(SSBO_VOXELS);
@@ -86,8 +163,7 @@ void IdentityTracer::numberLists() {
   listBuild_.read(offsetof(shared::ListBuild, total), &lists_, sizeof(lists_));
   resize(*api_, heads_, lists_ * 2 * sizeof(GLuint), "A-buffer heads");
   heads_.fill(LIST_MISSING);
-  used_ = 0;
-  lost_ = 0;
+  used_ = stale_ = lost_ = 0;
   if (!entries_) resize(*api_, entries_, 0, "A-buffer entries");
   // Heads (clear) are read and written by the trace.
   api_->MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
@@ -126,33 +202,27 @@ bool IdentityTracer::buildRequested(const GpuScene& scene) {
   resize(*api_, candidates_, scene.triangleCount * sizeof(GLuint), "candidates of a build");
   candidates_.bindStorage(SSBO_LINKS);
   grid_.apply(cull_);
-  cull_.set("triangleCount", scene.triangleCount);
-  cull_.set("verticesPerTriangle", kVerticesPerTriangle);
-  dispatchFor(*api_, cull_, scene.triangleCount);
-  // Candidates and the draw's arguments (cull) are read by the draws.
-  api_->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
-
-  rasterizeRequested(count_, scene);
+  collect(cull_, scene);
+  rasterizeCandidates(count_, scene);
   placeSum_.sum(lists_);
   listBuild_.read(0, &state, sizeof(state));
   const bool room = makeRoom(state.total);
   if (room) {
     placeSum_.placing().set("firstEntry", static_cast<GLuint>(used_));
     placeSum_.place(lists_);
-    rasterizeRequested(fill_, scene);
+    rasterizeCandidates(fill_, scene);
     used_ += state.total;
   } else {
     lost_ += state.total;  // the lists stay requested and missing
   }
-  state.vertexCount = state.requested = 0;
-  listBuild_.write(0, &state, sizeof(state));
+  clearListBuild();
   requested_.fill(0);
   // Clears come before the next requests.
   api_->MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
   return room;
 }
 
-void IdentityTracer::rasterizeRequested(const gl::Program& program, const GpuScene& scene) {
+void IdentityTracer::rasterizeCandidates(const gl::Program& program, const GpuScene& scene) {
   bindStructure();
   candidates_.bindStorage(SSBO_LINKS);
   counters_.bind();
@@ -162,7 +232,7 @@ void IdentityTracer::rasterizeRequested(const gl::Program& program, const GpuSce
   rasterizeScene(*api_, program, vertexArray_, scene,
                  {.resolution = grid_.longestSide(), .projections = 1, .verticesPerTriangle = kVerticesPerTriangle},
                  &listBuild_);
-  // Counts, then entries and ends of lists (fragments) are read by the sums and by the trace.
+  // Marks, counts, entries and ends of lists (fragments) are read by the sums, the next draw and the trace.
   api_->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
@@ -194,12 +264,11 @@ TracerMemory IdentityTracer::memory() const {
   memory.heads = heads_.bytes();
   memory.grid = grid_.voxels;
   memory.poolReserved = entries_.bytes();
-  memory.poolUsed = used_ * kEntryBytes;
+  memory.poolUsed = (used_ - stale_) * kEntryBytes;
+  memory.fragmentsStored = used_ - stale_;
+  // These add up over all builds since everything began anew.
   memory.fragments = counters_.sum(COUNTER_FRAGMENTS);
-  for (std::uint32_t axis = 0; axis < 3; ++axis) {
-    memory.perAxis[axis] = counters_.sum(COUNTER_STORED_X + axis);
-    memory.fragmentsStored += memory.perAxis[axis];
-  }
+  for (std::uint32_t axis = 0; axis < 3; ++axis) memory.perAxis[axis] = counters_.sum(COUNTER_STORED_X + axis);
   memory.bytesPerFragment = static_cast<double>(kEntryBytes);
   memory.structureTotal = memory.voxels + memory.heads + memory.poolReserved + candidates_.bytes() +
                           listBuild_.bytes() + rankSum_.bytes() + placeSum_.bytes() + counters_.bytes();

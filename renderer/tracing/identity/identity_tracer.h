@@ -17,7 +17,8 @@ namespace halfsilver {
 //
 // The A-buffers' texels and depths are the voxels', and lists are built on demand: a ray that needs the list of a voxel
 // asks for it and waits. What is asked for is counted, placed and filled in two passes over the triangles that touch
-// it, so the memory reserved is the memory used. Lists stay until the geometry changes (ABufferSettings::keep).
+// it, so the memory reserved is the memory used. Lists stay until triangles move into their voxels
+// (ABufferSettings::keep).
 class IdentityTracer final : public Tracer {
  public:
   IdentityTracer(const gl::Api& api, const Settings& settings);
@@ -29,10 +30,15 @@ class IdentityTracer final : public Tracer {
 
  private:
   void numberLists();
+  void followMove(const GpuScene& scene);
+  void renumber(const gl::Buffer& oldWords);
+  gl::Buffer copyOf(const gl::Buffer& buffer) const;
+  void clearListBuild();
+  void collect(const gl::Program& program, const GpuScene& scene);
   void bindStructure() const;
   // Builds the lists that rays have asked for. False where they find no room.
   bool buildRequested(const GpuScene& scene);
-  void rasterizeRequested(const gl::Program& program, const GpuScene& scene);
+  void rasterizeCandidates(const gl::Program& program, const GpuScene& scene);
   bool makeRoom(std::uint64_t more);
   std::uint64_t capacity() const;
 
@@ -43,6 +49,7 @@ class IdentityTracer final : public Tracer {
   VoxelPass voxelPass_;
   PrefixSum rankSum_, placeSum_;
   gl::Program cull_, count_, fill_;
+  gl::Program collectMoved_, occupy_, forget_, renumber_;  // made with the first move
   TracePass tracePass_;
   gl::EmptyVertexArray vertexArray_;
 
@@ -53,7 +60,8 @@ class IdentityTracer final : public Tracer {
   std::optional<std::uint32_t> geometry_;  // of what is built; none: nothing is
   std::uint32_t lists_ = 0;
   std::uint64_t used_ = 0;  // entries
-  std::uint64_t lost_ = 0;  // entries that found no room
+  std::uint64_t stale_ = 0;  // of those, in lists that have been built anew since
+  std::uint64_t lost_ = 0;   // entries that found no room
 };
 
 }  // namespace halfsilver
