@@ -30,6 +30,7 @@
 #define SSBO_OLD_VOXELS 6  // while lists are renumbered, in place of rays, their count and hits
 #define SSBO_OLD_RANKS 7
 #define SSBO_OLD_HEADS 8
+#define SSBO_MOVED_ENTRIES 8  // while lists are moved together, in place of hits
 // Sums of normals while voxels are made, before there are heads, entries and links.
 #define SSBO_NORMAL_X 11
 #define SSBO_NORMAL_Y 12

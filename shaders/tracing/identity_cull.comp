@@ -27,7 +27,19 @@ bool wantedTriangle(uint triangle) {
 }
 #else
 // Larger ones are taken unseen: their fragments are looked at anyway.
-const int mostVoxels = 512;
+const int mostWords = 4096;
+
+// Whether any voxel of a row is requested; `first` and `last` are numbers of voxels.
+bool requestedBetween(uint first, uint last) {
+  bool found = false;
+  for (uint word = first >> 5; word <= last >> 5 && !found; ++word) {
+    uint mask = 0xffffffffu;
+    if (word == first >> 5) mask &= 0xffffffffu << (first & 31u);
+    if (word == last >> 5) mask &= 0xffffffffu >> (31u - (last & 31u));
+    found = (requestedWords[word] & mask) != 0u;
+  }
+  return found;
+}
 
 bool wantedTriangle(uint triangle) {
   vec3 a, b, c;
@@ -39,10 +51,10 @@ bool wantedTriangle(uint triangle) {
   ivec3 low = clamp(ivec3(floor(min(a, min(b, c)) - 0.05)), ivec3(0), voxelCount - 1);
   ivec3 high = clamp(ivec3(floor(max(a, max(b, c)) + 0.05)), ivec3(0), voxelCount - 1);
   ivec3 size = high - low + 1;
-  bool wanted = float(size.x) * float(size.y) * float(size.z) > float(mostVoxels);
+  bool wanted = float(size.x / 32 + 2) * float(size.y) * float(size.z) > float(mostWords);
   for (int z = low.z; z <= high.z && !wanted; ++z)
     for (int y = low.y; y <= high.y && !wanted; ++y)
-      for (int x = low.x; x <= high.x && !wanted; ++x) wanted = requested(ivec3(x, y, z));
+      wanted = requestedBetween(voxelIndex(ivec3(low.x, y, z)), voxelIndex(ivec3(high.x, y, z)));
   return wanted;
 }
 #endif

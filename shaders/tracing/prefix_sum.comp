@@ -2,6 +2,7 @@
 // those and the total (STEP 1, one group), then the items' own (STEP 2). What is summed and where the results go:
 // RANKS: occupied voxels of each word of the grid, into their ranks.
 // LISTS: entries of each requested list, into its place behind the entries that are there.
+// COMPACT: entries of each list that is there; moves them together into another buffer.
 #include "shared/bindings.h"
 #include "shared/structs.h"
 #include "tracing/grid.glsl"
@@ -21,13 +22,27 @@ uint valueOf(uint item) {
   return uint(bitCount((word | word >> 1 | word >> 2) & 0x11111111u));
 }
 void store(uint item, uint sum) { ranks[item] = sum; }
-#else
+#endif
+#if defined(LISTS) || defined(COMPACT)
 layout(std430, binding = SSBO_HEADS) buffer HeadBlock { uvec2 heads[]; };
+#endif
+#ifdef LISTS
 uniform uint firstEntry;
 uint valueOf(uint item) { return heads[item].x == LIST_REQUESTED ? heads[item].y : 0u; }
 void store(uint item, uint sum) {
   // The end grows with every fragment that is stored.
   if (heads[item].x == LIST_REQUESTED) heads[item] = uvec2(firstEntry + sum);
+}
+#endif
+#ifdef COMPACT
+layout(std430, binding = SSBO_ENTRIES) readonly buffer EntryBlock { uint entries[]; };
+layout(std430, binding = SSBO_MOVED_ENTRIES) writeonly buffer MovedBlock { uint moved[]; };
+uint valueOf(uint item) { return heads[item].x < LIST_REQUESTED ? heads[item].y - heads[item].x : 0u; }
+void store(uint item, uint sum) {
+  uvec2 list = heads[item];
+  if (list.x >= LIST_REQUESTED) return;
+  for (uint i = list.x; i < list.y; ++i) moved[sum + i - list.x] = entries[i];
+  heads[item] = uvec2(sum, sum + list.y - list.x);
 }
 #endif
 

@@ -15,7 +15,7 @@ constexpr int kVerticesPerTriangle = 6;
 
 // Occupied voxels on a waiting ray's way that are built with the one it waits for; doubled each time that rays wait
 // again. Few and many small builds, or fewer builds of lists that nobody needs.
-constexpr int kFirstLookAhead = 4;
+constexpr int kFirstLookAhead = 8;
 constexpr int kMostLookAhead = 4096;
 // Room beyond what is needed where a pool grows that already holds lists: the next frame will want a little more.
 constexpr double kHeadroom = 1.05;
@@ -65,10 +65,10 @@ void IdentityTracer::build(const GpuScene& scene, const RayQueue&, gl::Profiler&
   grid_ = grid;
   if (!follows) voxelPass_.run(scene, grid_, voxels_, profiler);
   const auto scope = profiler.section("voxelize");
-  if (follows) followMove(scene);
-  // Lists that were given up leave their entries behind; where that is much, all lists begin anew.
-  const bool wasteful = static_cast<double>(used_) > kHeadroom * static_cast<double>(used_ - stale_);
-  if (!follows || wasteful) numberLists();
+  if (follows)
+    followMove(scene);
+  else
+    numberLists();
   geometry_ = scene.geometry;
 }
 
@@ -81,6 +81,7 @@ void IdentityTracer::followMove(const GpuScene& scene) {
     occupy_ = buildProgram(*api_, "OCCUPY");
     forget_ = buildProgram(*api_, "FORGET");
     renumber_ = gl::Program::compute(*api_, "tracing/identity_renumber.comp");
+    compactSum_.emplace(*api_, "COMPACT");
   }
   resize(*api_, candidates_, scene.triangleCount * sizeof(GLuint), "candidates of a build");
   for (const VertexRange& range : scene.moved) {
@@ -100,6 +101,20 @@ void IdentityTracer::followMove(const GpuScene& scene) {
     stale_ += stale;
   }
   clearListBuild();
+  // Lists that were given up leave their entries behind.
+  if (static_cast<double>(used_) > kHeadroom * static_cast<double>(used_ - stale_)) compact();
+}
+
+void IdentityTracer::compact() {
+  const auto wanted = static_cast<std::uint64_t>(kHeadroom * static_cast<double>(used_ - stale_)) + 4;
+  gl::Buffer together(*api_, wanted * kEntryBytes, "A-buffer entries");
+  bindStructure();
+  together.bindStorage(SSBO_MOVED_ENTRIES);
+  compactSum_->sum(lists_);
+  compactSum_->place(lists_);
+  entries_ = std::move(together);
+  used_ -= stale_;
+  stale_ = 0;
 }
 
 gl::Buffer IdentityTracer::copyOf(const gl::Buffer& buffer) const {
@@ -272,6 +287,7 @@ TracerMemory IdentityTracer::memory() const {
   memory.bytesPerFragment = static_cast<double>(kEntryBytes);
   memory.structureTotal = memory.voxels + memory.heads + memory.poolReserved + candidates_.bytes() +
                           listBuild_.bytes() + rankSum_.bytes() + placeSum_.bytes() + counters_.bytes();
+  if (compactSum_) memory.structureTotal += compactSum_->bytes();
   return memory;
 }
 

@@ -32,6 +32,7 @@ class IdentityTracer final : public Tracer {
   void numberLists();
   void followMove(const GpuScene& scene);
   void renumber(const gl::Buffer& oldWords);
+  void compact();
   gl::Buffer copyOf(const gl::Buffer& buffer) const;
   void clearListBuild();
   void collect(const gl::Program& program, const GpuScene& scene);
@@ -49,7 +50,9 @@ class IdentityTracer final : public Tracer {
   VoxelPass voxelPass_;
   PrefixSum rankSum_, placeSum_;
   gl::Program cull_, count_, fill_;
-  gl::Program collectMoved_, occupy_, forget_, renumber_;  // made with the first move
+  // Made with the first move.
+  gl::Program collectMoved_, occupy_, forget_, renumber_;
+  std::optional<PrefixSum> compactSum_;
   TracePass tracePass_;
   gl::EmptyVertexArray vertexArray_;
 
