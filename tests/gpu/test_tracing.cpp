@@ -3,80 +3,12 @@
 #include <set>
 #include <string>
 
-#include "gpu/render_fixture.h"
 #include "gpu/shader_function.h"
+#include "gpu/tracing_scenes.h"
 #include "io/settings_file.h"
 
 namespace halfsilver::testing {
 namespace {
-
-Material plain(const glm::vec3& color) {
-  Material material;
-  material.baseColor = glm::vec4(color, 1);
-  material.metallic = 0;
-  return material;
-}
-
-Material mirrorMaterial() {
-  Material material = plain({0.5f, 0.5f, 0.5f});
-  material.mirror = 1.0f;
-  return material;
-}
-
-std::uint32_t addVertex(Scene& scene, const glm::vec3& position, const glm::vec3& normal) {
-  scene.vertices.push_back({position, normal});
-  return static_cast<std::uint32_t>(scene.vertices.size() - 1);
-}
-
-void addTriangle(Scene& scene, const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, std::uint32_t material) {
-  const glm::vec3 cross = glm::cross(b - a, c - a);
-  const glm::vec3 normal = glm::length(cross) > 0 ? glm::normalize(cross) : glm::vec3(0, 1, 0);
-  scene.triangles.push_back(
-      {{addVertex(scene, a, normal), addVertex(scene, b, normal), addVertex(scene, c, normal)}, material});
-}
-
-// Deterministic numbers in 0..1.
-class Sequence {
- public:
-  float next() {
-    state_ = state_ * 1664525u + 1013904223u;
-    return static_cast<float>(state_ >> 8) / 16777216.0f;
-  }
-  glm::vec3 point() {
-    const float x = next(), y = next(), z = next();
-    return {x, y, z};
-  }
-
- private:
-  std::uint32_t state_ = 12345;
-};
-
-// A mirror floor at y = 0 under a soup of double-sided triangles of very different sizes.
-Scene soup(int triangles) {
-  Scene scene;
-  scene.materials = {mirrorMaterial(), plain({0.8f, 0.3f, 0.2f})};
-  scene.materials[1].doubleSided = true;
-  addQuad(scene, {-2, 0, 2}, {2, 0, 2}, {2, 0, -2}, {-2, 0, -2}, 0);
-  Sequence random;
-  for (int i = 0; i < triangles; ++i) {
-    const glm::vec3 at = glm::vec3(-2, 0.05f, -2) + glm::vec3(4, 1.5f, 4) * random.point();
-    const float size = 0.02f + 0.6f * std::pow(random.next(), 4.0f);
-    const glm::vec3 half(0.5f);
-    addTriangle(scene, at + size * (random.point() - half), at + size * (random.point() - half),
-                at + size * (random.point() - half), 1);
-  }
-  return scene;
-}
-
-const Camera kAbove = lookAt({0, 1.9f, 3.2f}, {0, 0.1f, 0});
-
-void expectNontrivial(const HitErrors& errors, const Frame& exact) {
-  EXPECT_GT(errors.rays, 500u);
-  const std::vector<float> ids = exact.plane("hit.id");
-  EXPECT_GT(std::set<float>(ids.begin(), ids.end()).size(), 20u);
-}
-
-class TracingTest : public RenderTest {};
 
 // A ray from a mirror plane meets a marker exactly where the mirrored camera ray would.
 TEST_F(TracingTest, MirrorPlaneShowsTheMarkerWhereGeometryPredicts) {
@@ -168,36 +100,6 @@ TEST_F(TracingTest, MirrorFloorUnderASphereFollowsTheClosedForm) {
     }
   EXPECT_GT(seen, 100);
 }
-
-struct IdentityCase {
-  const char* voxels;
-  const char* axis;
-};
-
-class IdentityTest : public TracingTest, public ::testing::WithParamInterface<IdentityCase> {};
-
-// DDA against brute force: whatever the resolutions and the rule for axes, nothing is missed.
-TEST_P(IdentityTest, EqualsExactRays) {
-  const Scene scene = soup(1500);
-  const Frame exact = draw(scene, kAbove, settingsWith({{"trace.method", "exact"}}), 80, 60);
-  const Frame frame = draw(
-      scene, kAbove,
-      settingsWith(
-          {{"voxels.resolution", GetParam().voxels}, {"voxels.per_triangle", "0"}, {"voxels.axis", GetParam().axis}}),
-      80, 60);
-  const HitErrors errors = compareHits(frame, exact, scene.bounds().diagonal());
-  expectNontrivial(errors, exact);
-  EXPECT_EQ(errors.hitError, 0);
-  EXPECT_EQ(errors.wrongId, 0);
-  EXPECT_EQ(frame.report.overflow, 0u);
-  EXPECT_EQ(frame.report.lostFragments, 0u);
-}
-
-INSTANTIATE_TEST_SUITE_P(Resolutions, IdentityTest,
-                         ::testing::Values(IdentityCase{"1", "own"}, IdentityCase{"7", "own"},
-                                           IdentityCase{"32", "own"}, IdentityCase{"130", "own"},
-                                           IdentityCase{"400", "own"}, IdentityCase{"32", "area"},
-                                           IdentityCase{"20", "normal"}));
 
 // Rays through shared edges and vertices: a closed fan of triangles around points that rays meet exactly.
 TEST_F(TracingTest, NoRaySlipsThroughSharedEdges) {
@@ -352,40 +254,6 @@ TEST_F(TracingTest, FragmentsOfAFloorAreCountedExactly) {
   EXPECT_EQ(three.report.memory.fragmentsPerAxis[1], static_cast<std::uint64_t>(texels * texels));
 }
 
-// Conservative rasterization against a CPU count of the texels that a triangle touches (separating axes in double).
-TEST_F(TracingTest, ConservativeFragmentsCoverWhatTheTriangleTouches) {
-  Scene scene;
-  scene.materials = {mirrorMaterial(), plain({1, 1, 1})};
-  addTriangle(scene, {0, 0, 4}, {4, 0, 4}, {0, 0, 0}, 0);
-  addTriangle(scene, {0, 4, 0}, {0.001f, 4, 0}, {0, 4, 0.001f}, 1);  // gives the bounds their height
-  const double pad = 4e-3, extent = 4 + 2 * pad;
-  const int n = 50;
-  std::uint64_t least = 0, most = 0;
-  for (int z = 0; z < n; ++z)
-    for (int x = 0; x < n; ++x) {
-      // The triangle covers x from 0 to z, z from 0 to 4: a texel touches it when its nearest corner does.
-      const double cell = extent / n, x0 = x * cell - pad, z1 = (z + 1) * cell - pad;
-      const double z0 = z * cell - pad, x1 = x0 + cell;
-      const double slack = 0.03 * cell;
-      const auto touches = [&](double grow) {
-        return x0 - grow <= z1 + grow && x0 - grow <= 4 && x1 + grow >= 0 && z0 - grow <= 4 && z1 + grow >= 0;
-      };
-      least += touches(0) ? 1u : 0u;
-      most += touches(slack) ? 1u : 0u;
-    }
-  const Frame frame = draw(scene, lookAt({1, 3, 6}, {1, 0, 3}),
-                           settingsWith({{"voxels.resolution", "50"}, {"voxels.per_triangle", "0"}}), 16, 12);
-  // All of a triangle's fragments are made once any of them is asked for, and these rays ask once.
-  const std::uint64_t made = frame.report.memory.fragments;
-  EXPECT_GT(least, 1000u);
-  // The small triangle adds its own texels, at most four.
-  EXPECT_GE(made, least);
-  EXPECT_LE(made, most + 4);
-  // Only what rays come by is stored.
-  EXPECT_GT(frame.report.memory.fragmentsStored, 10u);
-  EXPECT_LT(frame.report.memory.fragmentsStored, made / 2);
-}
-
 // A box's walls stand along the axis of its voxels' A-buffer, so they leave no fragment there: a level ray meets them
 // where it comes to lie inside.
 TEST_F(TracingTest, StepsOfTheSearchDoNotPassSteepWalls) {
@@ -416,20 +284,6 @@ TEST_F(TracingTest, StepsOfTheSearchDoNotPassSteepWalls) {
   EXPECT_LE(passed, walls / 20);
 }
 
-// Sheets that hang over a mirror, seen from below; the first one is nearest.
-Scene manySheets(int sheets) {
-  Scene scene;
-  scene.materials = {mirrorMaterial(), plain({1, 1, 1})};
-  addQuad(scene, {-1, 0, 1}, {1, 0, 1}, {1, 0, -1}, {-1, 0, -1}, 0);
-  for (int i = 0; i < sheets; ++i) {
-    const float y = 0.5f + 0.001f * static_cast<float>(i);
-    addQuad(scene, {-1, y, -1}, {1, y, -1}, {1, y, 1}, {-1, y, 1}, 1);
-  }
-  return scene;
-}
-
-const Camera kBelowSheets = lookAt({0, 0.4f, 0.9f}, {0, 0, 0});
-
 // Pages under contention: many sheets over the same texels are all stored, in every page size.
 TEST_F(TracingTest, PagesOfManySheetsAreComplete) {
   const int sheets = 300;
@@ -445,20 +299,6 @@ TEST_F(TracingTest, PagesOfManySheetsAreComplete) {
     EXPECT_EQ(frame.report.overflow, 0u) << pageSize;
     EXPECT_EQ(frame.report.memory.fragmentsStored, static_cast<std::uint64_t>(16 * 16 * (sheets + 1))) << pageSize;
   }
-}
-
-// Lists of thousands of entries are complete: the nearest of many sheets is found wherever it is in its list.
-TEST_F(TracingTest, LongListsAreComplete) {
-  const Scene scene = manySheets(1500);
-  const Frame exact = draw(scene, kBelowSheets, settingsWith({{"trace.method", "exact"}}), 40, 30);
-  const Frame frame =
-      draw(scene, kBelowSheets, settingsWith({{"voxels.resolution", "2"}, {"voxels.per_triangle", "0"}}), 40, 30);
-  const HitErrors errors = compareHits(frame, exact, scene.bounds().diagonal());
-  EXPECT_GT(errors.rays, 500u);
-  EXPECT_EQ(errors.hitError, 0);
-  EXPECT_EQ(errors.wrongId, 0);
-  EXPECT_EQ(frame.report.overflow, 0u);
-  EXPECT_GT(frame.report.memory.fragmentsStored, 3000u);
 }
 
 // A pool that is too small is counted and shown, never a miss in silence; the next frames have room.
@@ -483,69 +323,6 @@ TEST_F(TracingTest, LostFragmentsAreOverflowNotMisses) {
   EXPECT_EQ(shown, first.report.overflow);
   EXPECT_EQ(later.report.lostFragments, 0u);
   EXPECT_EQ(later.report.overflow, 0u);
-}
-
-// What is built is what rays need, in memory of that size; it stays, and grows by what other rays need.
-TEST_F(TracingTest, ListsAreBuiltOnDemandAndStay) {
-  const Scene scene = soup(3000);
-  const Settings kept = settingsWith({}), anew = settingsWith({{"abuffer.keep", "false"}});
-  Renderer renderer = makeRenderer(scene);
-  const Camera other = lookAt({1.5f, 1.2f, 2.0f}, {0, 0.1f, 0});
-  const Frame few = drawWith(renderer, kAbove, settingsWith({{"select.fraction", "0.02"}}), 80, 60);
-  const Frame all = drawWith(renderer, kAbove, kept, 80, 60);
-  const Frame again = drawWith(renderer, kAbove, kept, 80, 60);
-  const Frame moved = drawWith(renderer, other, kept, 80, 60);
-  EXPECT_GT(few.report.memory.fragmentsStored, 20u);
-  EXPECT_LT(few.report.memory.fragmentsStored, all.report.memory.fragmentsStored / 2);
-  EXPECT_EQ(again.report.memory.fragmentsStored, all.report.memory.fragmentsStored);
-  EXPECT_GT(moved.report.memory.fragmentsStored, all.report.memory.fragmentsStored);
-  for (const Frame* frame : {&few, &all, &moved}) {
-    const MemoryReport& memory = frame->report.memory;
-    EXPECT_EQ(memory.poolUsed, memory.fragmentsStored * 4);
-    EXPECT_LE(static_cast<double>(memory.poolReserved), 1.10 * static_cast<double>(memory.poolUsed) + 16);
-    EXPECT_EQ(frame->report.overflow, 0u);
-  }
-  // Pictures are those of a full rebuild, to the bit.
-  EXPECT_EQ(all.layers.data, again.layers.data);
-  EXPECT_EQ(all.layers.data, drawOnce(scene, kAbove, anew, 80, 60).layers.data);
-  EXPECT_EQ(moved.layers.data, drawOnce(scene, other, anew, 80, 60).layers.data);
-}
-
-// A frame in which an object moves builds anew what that object touches; pictures are those of a full rebuild.
-TEST_F(TracingTest, MovingTrianglesAreFollowed) {
-  Scene scene = soup(2000);
-  // Corners that keep the bounds as they are.
-  addTriangle(scene, {-2.2f, -0.2f, -2.2f}, {-2.2f, -0.19f, -2.2f}, {-2.19f, -0.2f, -2.2f}, 1);
-  addTriangle(scene, {2.2f, 2.0f, 2.2f}, {2.2f, 1.99f, 2.2f}, {2.19f, 2.0f, 2.2f}, 1);
-  const auto first = static_cast<std::uint32_t>(scene.vertices.size());
-  for (int i = 0; i < 20; ++i) {
-    const float x = 0.02f * static_cast<float>(i);
-    addTriangle(scene, {x, 0.3f, 0}, {x + 0.3f, 0.3f, 0.1f}, {x, 0.7f, 0.2f}, 1);
-  }
-  const VertexRange moving{first, static_cast<std::uint32_t>(scene.vertices.size()) - first};
-  Renderer renderer = makeRenderer(scene);
-  const Settings kept = settingsWith({});
-  Frame frame = drawWith(renderer, kAbove, kept, 80, 60);
-  for (int step = 0; step < 8; ++step) {
-    for (std::uint32_t v = moving.first; v < moving.first + moving.count; ++v)
-      scene.vertices[v].position += glm::vec3(-0.11f, 0.08f, 0.09f);
-    renderer.updateVertices(scene, std::span(&moving, 1));
-    const std::uint64_t madeBefore = frame.report.memory.fragments;
-    frame = drawWith(renderer, kAbove, kept, 80, 60);
-    const Frame anew = drawOnce(scene, kAbove, kept, 80, 60);
-    EXPECT_EQ(frame.layers.data, anew.layers.data) << step;
-    EXPECT_EQ(frame.report.overflow, 0u);
-    // Less is made than by building everything, and the pool stays close to what it holds.
-    const MemoryReport& memory = frame.report.memory;
-    EXPECT_LT(memory.fragments - madeBefore, anew.report.memory.fragments / 2) << step;
-    EXPECT_LE(static_cast<double>(memory.poolReserved), 1.12 * static_cast<double>(memory.poolUsed)) << step;
-    const HitErrors errors = compareHits(frame, draw(scene, kAbove, settingsWith({{"trace.method", "exact"}}), 80, 60),
-                                         scene.bounds().diagonal());
-    EXPECT_EQ(errors.hitError, 0) << step;
-    std::set<float> ids;
-    for (const float id : frame.plane("hit.id")) ids.insert(id);
-    EXPECT_GT(std::count_if(ids.begin(), ids.end(), [](float id) { return id >= 2004; }), 0) << step;
-  }
 }
 
 // Alpha cuts and back faces are the same rule for the rays of all exact methods.
