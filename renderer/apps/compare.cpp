@@ -1,7 +1,5 @@
 #include "io/compare.h"
 
-#include <cmath>
-#include <cstdio>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -19,33 +17,8 @@ struct CompareRequest {
   bool json = false;
 };
 
-nlohmann::ordered_json comparisonJson(const Comparison& comparison) {
-  nlohmann::ordered_json json;
-  json["rmse"] = comparison.rmse;
-  // JSON has no infinity: null says that the files are equal.
-  json["psnr_db"] = nullptr;
-  if (std::isfinite(comparison.psnrDb)) json["psnr_db"] = comparison.psnrDb;
-  json["max_error"] = comparison.maxError;
-  json["yee_failures"] = nullptr;
-  json["yee_fail_fraction"] = nullptr;
-  if (comparison.perceptual) {
-    json["yee_failures"] = comparison.perceptual->failures;
-    json["yee_fail_fraction"] = comparison.perceptual->fraction;
-  }
-  if (comparison.layers) {
-    json["compared_pixels"] = comparison.layers->pixels;
-    json["hit_error"] = comparison.layers->hitError;
-    json["false_miss"] = comparison.layers->falseMiss;
-    json["false_hit"] = comparison.layers->falseHit;
-    json["wrong_id"] = comparison.layers->wrongId;
-    json["selected_mismatch"] = comparison.layers->selectedMismatch;
-    json["overflow"] = comparison.layers->overflow;
-  }
-  return json;
-}
-
 void printComparison(const Comparison& comparison) {
-  const nlohmann::ordered_json json = comparisonJson(comparison);
+  const nlohmann::ordered_json json = toJson(comparison);
   for (const auto& [name, value] : json.items()) {
     const std::string text = !value.is_null() ? value.dump() : name == "psnr_db" ? "inf" : "not available";
     std::cout << name << std::string(20 - name.size(), ' ') << text << '\n';
@@ -57,7 +30,7 @@ void compare(const CompareRequest& request) {
   const ImageFile reference = readImage(request.reference);
   const Comparison comparison = compareImages(image, reference, request.diagonal);
   if (request.json)
-    std::cout << dump(comparisonJson(comparison));
+    std::cout << dump(toJson(comparison));
   else
     printComparison(comparison);
 }

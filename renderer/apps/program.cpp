@@ -13,40 +13,46 @@
 namespace halfsilver {
 namespace {
 
-int report(ErrorKind kind, std::string message) {
+int report(const CLI::App& program, ErrorKind kind, std::string message) {
   std::replace(message.begin(), message.end(), '\n', ' ');
-  std::cerr << "halfsilver: " << message << std::endl;
+  std::cerr << program.get_name() << ": " << message << std::endl;
   return static_cast<int>(kind);
 }
 
 }  // namespace
 
-int runProgram(int argc, const char* const* argv) {
-  CLI::App program("Rasterization with selective ray-traced reflections, without a display.", "halfsilver");
-  program.set_version_flag("--version", HALFSILVER_VERSION);
+int runCommand(CLI::App& program, int argc, const char* const* argv) {
+  program.set_version_flag("--version", version());
   program.require_subcommand(1);
   program.footer(
       "Exit codes: 0 done, 1 failed while working, 2 wrong usage, 3 bad scene or configuration, "
       "4 no usable GL context.");
-  addRenderCommand(program);
-  addInfoCommand(program);
-  addCompareCommand(program);
-  addPresetsCommand(program);
   try {
     program.parse(argc, argv);
   } catch (const CLI::Success& asked) {
     return program.exit(asked);  // --help, --version
   } catch (const CLI::ParseError& error) {
-    return report(ErrorKind::usage, error.what());
+    return report(program, ErrorKind::usage, error.what());
   } catch (const Error& error) {
-    return report(error.kind(), error.what());
+    return report(program, error.kind(), error.what());
   } catch (const std::bad_alloc&) {
-    return report(ErrorKind::failed, "out of memory");
+    return report(program, ErrorKind::failed, "out of memory");
   } catch (const std::exception& error) {
-    return report(ErrorKind::failed, error.what());
+    return report(program, ErrorKind::failed, error.what());
   }
   std::cout.flush();
-  return std::cout ? 0 : report(ErrorKind::failed, "the standard output cannot be written");
+  return std::cout ? 0 : report(program, ErrorKind::failed, "the standard output cannot be written");
+}
+
+const char* version() { return HALFSILVER_VERSION; }
+
+int runProgram(int argc, const char* const* argv) {
+  CLI::App program("Rasterization with selective ray-traced reflections, without a display.", "halfsilver");
+  addRenderCommand(program);
+  addInfoCommand(program);
+  addCompareCommand(program);
+  addPresetsCommand(program);
+  return runCommand(program, argc, argv);
 }
 
 }  // namespace halfsilver

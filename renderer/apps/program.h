@@ -6,4 +6,6 @@ namespace halfsilver {
 // 2 wrong usage, 3 bad input, 4 no usable GL context). An error is one line on stderr.
 int runProgram(int argc, const char* const* argv);
 
+const char* version();  // "0.1.0"
+
 }  // namespace halfsilver

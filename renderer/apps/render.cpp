@@ -9,6 +9,7 @@
 
 #include "apps/arguments.h"
 #include "apps/commands.h"
+#include "apps/drawing.h"
 #include "apps/offscreen.h"
 #include "apps/progress.h"
 #include "apps/scene_input.h"
@@ -20,15 +21,9 @@
 #include "io/images.h"
 #include "io/settings_file.h"
 #include "renderer.h"
-#if HALFSILVER_EXACT
-#include "exact/exact_tracer.h"
-#endif
 
 namespace halfsilver {
 namespace {
-
-// First draws compile shaders, and some methods size their pool by the frame before.
-constexpr int kMostFirstFrames = 4;
 
 struct RenderRequest {
   std::string scene, output, stats, layers;
@@ -127,21 +122,6 @@ Model prepareScene(const RenderRequest& request) {
   return model;
 }
 
-ContextKind contextKind(const std::string& name) {
-  if (name == "egl") return ContextKind::egl;
-  return name == "osmesa" ? ContextKind::osmesa : ContextKind::automatic;
-}
-
-TracerFactory exactFactory(const Scene& scene, int threads) {
-#if HALFSILVER_EXACT
-  return makeExactTracerFactory(scene, threads);
-#else
-  static_cast<void>(scene);
-  static_cast<void>(threads);
-  return {};
-#endif
-}
-
 void addWarnings(const std::vector<std::string>& from, std::vector<std::string>& to) {
   for (const std::string& warning : from)
     if (std::find(to.begin(), to.end(), warning) == to.end()) to.push_back(warning);
@@ -152,13 +132,8 @@ void addWarnings(const std::vector<std::string>& from, std::vector<std::string>&
 void drawFrames(Renderer& renderer, const Camera& camera, const Settings& settings, const Target& target, int repeat,
                 Progress& progress, WallClock& clock, RunStatistics& statistics) {
   StageTimes times;
-  int first = 0;
-  do {
-    progress.show("first frame");
-    renderer.render(camera, settings, target);
-    statistics.report = renderer.report();
-    ++first;
-  } while (statistics.report.lostFragments > 0 && first < kMostFirstFrames);
+  progress.show("first frame");
+  const int first = drawFirstFrame(renderer, camera, settings, target, statistics.report);
   // Shadow maps are drawn once, in the first frame: their time is the only one that a warm-up frame has to tell.
   for (const StageTime& time : statistics.report.times)
     if (repeat == 0 || time.stage == "shadow") times.add(std::span(&time, 1));

@@ -1,6 +1,7 @@
 #include "apps/statistics.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 
@@ -133,6 +134,31 @@ Json toJson(const RunStatistics& s) {
   json["overflow"] = s.report.overflow;
   json["lost_fragments"] = s.report.lostFragments;
   json["warnings"] = s.warnings;
+  return json;
+}
+
+Json toJson(const Comparison& comparison) {
+  Json json;
+  json["rmse"] = comparison.rmse;
+  // JSON has no infinity: null says that the files are equal.
+  json["psnr_db"] = nullptr;
+  if (std::isfinite(comparison.psnrDb)) json["psnr_db"] = comparison.psnrDb;
+  json["max_error"] = comparison.maxError;
+  json["yee_failures"] = nullptr;
+  json["yee_fail_fraction"] = nullptr;
+  if (comparison.perceptual) {
+    json["yee_failures"] = comparison.perceptual->failures;
+    json["yee_fail_fraction"] = comparison.perceptual->fraction;
+  }
+  if (comparison.layers) {
+    json["compared_pixels"] = comparison.layers->pixels;
+    json["hit_error"] = comparison.layers->hitError;
+    json["false_miss"] = comparison.layers->falseMiss;
+    json["false_hit"] = comparison.layers->falseHit;
+    json["wrong_id"] = comparison.layers->wrongId;
+    json["selected_mismatch"] = comparison.layers->selectedMismatch;
+    json["overflow"] = comparison.layers->overflow;
+  }
   return json;
 }
 

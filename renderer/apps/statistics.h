@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "io/compare.h"
 #include "renderer.h"
 #include "settings.h"
 
@@ -51,6 +52,9 @@ struct RunStatistics {
 };
 
 nlohmann::ordered_json toJson(const RunStatistics& statistics);
+
+// What `compare --json` prints.
+nlohmann::ordered_json toJson(const Comparison& comparison);
 
 // The aligned table that `render` prints; ends with a newline.
 std::string toTable(const RunStatistics& statistics);

@@ -1,0 +1,41 @@
+#include "apps/drawing.h"
+
+#if HALFSILVER_EXACT
+#include "exact/exact_tracer.h"
+#endif
+
+namespace halfsilver {
+namespace {
+
+// First draws compile shaders, and some methods size their pool by the frame before.
+constexpr int kMostFirstFrames = 4;
+
+}  // namespace
+
+ContextKind contextKind(const std::string& name) {
+  if (name == "egl") return ContextKind::egl;
+  return name == "osmesa" ? ContextKind::osmesa : ContextKind::automatic;
+}
+
+TracerFactory exactFactory(const Scene& scene, int threads) {
+#if HALFSILVER_EXACT
+  return makeExactTracerFactory(scene, threads);
+#else
+  static_cast<void>(scene);
+  static_cast<void>(threads);
+  return {};
+#endif
+}
+
+int drawFirstFrame(Renderer& renderer, const Camera& camera, const Settings& settings, const Target& target,
+                   FrameReport& report) {
+  int drawn = 0;
+  do {
+    renderer.render(camera, settings, target);
+    report = renderer.report();
+    ++drawn;
+  } while (report.lostFragments > 0 && drawn < kMostFirstFrames);
+  return drawn;
+}
+
+}  // namespace halfsilver
