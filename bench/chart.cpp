@@ -1,0 +1,143 @@
+#include "bench/chart.h"
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <numeric>
+#include <sstream>
+
+#include "core/error.h"
+
+namespace halfsilver::bench {
+namespace {
+
+// Blue, orange, green, grey, purple: distinct also where colours are seen as few (after Okabe & Ito).
+constexpr const char* kColors[] = {"#0072b2", "#e69f00", "#009e73", "#b8b8b8", "#cc79a7", "#56b4e9"};
+constexpr double kGroupGap = 0.8;  // bars
+
+std::string quoted(const std::string& text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') result += '\\';
+    if (static_cast<unsigned char>(c) >= ' ') result += c;
+  }
+  return result + '"';
+}
+
+double sum(const std::vector<double>& parts) { return std::accumulate(parts.begin(), parts.end(), 0.0); }
+
+struct Range {
+  double low = 0.1, high = 1;  // powers of ten around all tops
+};
+
+Range axisRange(const StackedBars& chart) {
+  double least = 1e30, most = 0;
+  for (const Bar& bar : chart.bars) {
+    const double top = sum(bar.parts);
+    if (top > 0) least = std::min(least, top);
+    most = std::max(most, top);
+  }
+  if (most <= 0) return {};
+  return {std::pow(10.0, std::floor(std::log10(least)) - (std::log10(least) - std::floor(std::log10(least)) < 0.3)),
+          most * 2.5};
+}
+
+// Centre of each bar.
+std::vector<double> positions(const StackedBars& chart) {
+  std::vector<double> centers;
+  double x = 0;
+  for (std::size_t i = 0; i < chart.bars.size(); ++i) {
+    if (i > 0) x += 1 + (chart.bars[i].group != chart.bars[i - 1].group ? kGroupGap : 0);
+    centers.push_back(x);
+  }
+  return centers;
+}
+
+using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
+
+File temporaryFile() {
+  File file(std::tmpfile(), std::fclose);
+  if (!file) throw Error(ErrorKind::failed, "no temporary file for gnuplot");
+  return file;
+}
+
+}  // namespace
+
+std::string gnuplotScript(const StackedBars& chart, ChartFormat format) {
+  const std::vector<double> centers = positions(chart);
+  const Range range = axisRange(chart);
+  std::ostringstream script;
+  const double width = std::max(720.0, 46 * (centers.empty() ? 1 : centers.back() + 2) + 120);
+  script << "set terminal " << (format == ChartFormat::svg ? "svg" : "pngcairo") << " noenhanced size " << width
+         << ",560 background rgb \"white\" font \"sans,12\"\n"
+         << "set title " << quoted(chart.title) << "\nset ylabel " << quoted(chart.axis) << '\n'
+         << "set logscale y 10\nset yrange [" << range.low << ':' << range.high << "]\n"
+         << "set xrange [-0.8:" << (centers.empty() ? 1 : centers.back()) + 0.8 << "]\n"
+         << "set format y \"%g\"\nset grid ytics lc rgb \"#dddddd\"\nset border 3\nset tics nomirror out\n"
+         << "set style fill solid 1 noborder\nset key outside top center horizontal\nset bmargin 11\n";
+  std::string tics;
+  for (std::size_t i = 0; i < chart.bars.size(); ++i) {
+    const Bar& bar = chart.bars[i];
+    tics += (i ? ", " : "") + quoted(bar.name) + ' ' + std::to_string(centers[i]);
+    script << "set label " << quoted(bar.label) << " at " << centers[i] << ','
+           << std::max(range.low, sum(bar.parts)) * 1.08 << " center font \",9\"\n";
+    if (i > 0 && bar.group == chart.bars[i - 1].group) continue;
+    std::size_t last = i;
+    while (last + 1 < chart.bars.size() && chart.bars[last + 1].group == bar.group) ++last;
+    script << "set label " << quoted(bar.group) << " at " << (centers[i] + centers[last]) / 2
+           << ", screen 0.04 center font \",13\"\n";
+  }
+  script << "set xtics rotate by 35 right font \",10\" (" << tics << ")\n";
+  // Columns: centre, left, right, bottom, top.
+  for (std::size_t part = 0; part < chart.parts.size(); ++part) {
+    script << "$part" << part << " << END\n";
+    for (std::size_t i = 0; i < chart.bars.size(); ++i) {
+      const auto first = chart.bars[i].parts.begin();
+      const double bottom = std::accumulate(first, first + static_cast<std::ptrdiff_t>(part), 0.0);
+      const double top = bottom + chart.bars[i].parts[part];
+      if (top > std::max(bottom, range.low))
+        script << centers[i] << ' ' << centers[i] - 0.36 << ' ' << centers[i] + 0.36 << ' '
+               << std::max(bottom, range.low) << ' ' << top << '\n';
+    }
+    script << "NaN NaN NaN NaN NaN\nEND\n";
+  }
+  script << "plot ";
+  for (std::size_t part = 0; part < chart.parts.size(); ++part)
+    script << (part ? ", " : "") << "$part" << part << " using 1:($4):2:3:4:5 with boxxyerror lc rgb \""
+           << kColors[part % std::size(kColors)] << "\" title " << quoted(chart.parts[part]);
+  script << '\n';
+  return script.str();
+}
+
+std::optional<std::string> runGnuplot(const std::string& script) {
+  const File input = temporaryFile(), output = temporaryFile();
+  std::fwrite(script.data(), 1, script.size(), input.get());
+  std::rewind(input.get());
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_adddup2(&actions, ::fileno(input.get()), STDIN_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, ::fileno(output.get()), STDOUT_FILENO);
+  posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
+  char name[] = "gnuplot";
+  char* arguments[] = {name, nullptr};
+  pid_t child = 0;
+  const int spawned = ::posix_spawnp(&child, name, &actions, nullptr, arguments, ::environ);
+  posix_spawn_file_actions_destroy(&actions);
+  int status = 0;
+  if (spawned != 0) return std::nullopt;
+  if (::waitpid(child, &status, 0) != child || !WIFEXITED(status) || WEXITSTATUS(status) != 0)
+    throw Error(ErrorKind::failed, "gnuplot failed to draw a chart");
+  std::fseek(output.get(), 0, SEEK_END);
+  std::string result(static_cast<std::size_t>(std::max(0L, std::ftell(output.get()))), '\0');
+  std::rewind(output.get());
+  result.resize(std::fread(result.data(), 1, result.size(), output.get()));
+  return result;
+}
+
+}  // namespace halfsilver::bench

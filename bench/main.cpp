@@ -1,0 +1,12 @@
+#include <CLI/CLI.hpp>
+
+#include "apps/commands.h"
+#include "bench/memory.h"
+#include "bench/request.h"
+
+int main(int argc, char** argv) {
+  CLI::App program("Measures Halfsilver's methods against each other.", "halfsilver-bench");
+  halfsilver::bench::addMode(program, "memory", "What each method's structure takes, and how wrong its hits are",
+                             halfsilver::bench::runMemory);
+  return halfsilver::runCommand(program, argc, argv);
+}

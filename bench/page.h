@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+// One self-contained page: styles, pictures and charts are in it, nothing is fetched.
+namespace halfsilver::bench {
+
+// `body` is HTML, the title is text.
+std::string page(const std::string& title, const std::string& body);
+
+std::string heading(const std::string& text);
+std::string paragraph(const std::string& text);
+// `picture` is the bytes of a PNG.
+std::string thumbnail(std::string_view picture, const std::string& caption);
+// The <svg> element of an SVG file.
+std::string inlineSvg(std::string_view file);
+
+}  // namespace halfsilver::bench

@@ -1,0 +1,106 @@
+#include "bench/workbench.h"
+
+#include <algorithm>
+#include <iostream>
+#include <utility>
+
+#include "apps/drawing.h"
+#include "core/error.h"
+#include "io/images.h"
+
+namespace halfsilver::bench {
+namespace {
+
+constexpr int kThumbnail = 480;  // pixels
+
+}  // namespace
+
+std::vector<BenchScene> loadScenes(const Request& request) {
+  std::vector<MirrorArgument> mirrors;
+  for (const std::string& text : request.mirrors) mirrors.push_back(parseMirror(text));
+  std::vector<BenchScene> scenes;
+  std::vector<std::string> warnings;
+  for (const std::string& file : request.scenes) {
+    Model model = loadScene(file);
+    applyMirrors(model.scene, mirrors);
+    const Camera camera = chooseCamera(model.scene, request.camera);
+    const double diagonal = model.scene.bounds().diagonal();
+    for (const std::string& warning : model.warnings) warnings.push_back(sceneName(file) + ": " + warning);
+    scenes.push_back({sceneName(file), std::move(model), camera, request.mirrors, diagonal});
+  }
+  // Only now: where a later scene is bad, stderr holds the one line that says so.
+  for (const std::string& warning : warnings) std::cerr << "warning: " << warning << '\n';
+  return scenes;
+}
+
+Workbench::Workbench(const Request& request)
+    : size_(request.size),
+      context_(makeContext(contextKind(request.context))),
+      api_(gl::Api::load(context_.getProcAddress())),
+      log_(api_),
+      target_(api_, size_),
+      device_(Renderer(context_.getProcAddress()).device()) {}
+
+RunStatistics Workbench::describe(const BenchScene& scene, const Settings& settings) const {
+  RunStatistics run;
+  run.device = device_;
+  run.context = context_.name();
+  run.sceneFile = scene.name;
+  run.triangles = scene.model.scene.triangles.size();
+  run.vertices = scene.model.scene.vertices.size();
+  run.materials = scene.model.scene.materials.size();
+  run.textures = scene.model.scene.textures.size();
+  run.lights = scene.model.scene.lights.size();
+  run.diagonal = scene.diagonal;
+  run.settings = settings;
+  run.width = size_.width;
+  run.height = size_.height;
+  return run;
+}
+
+void Workbench::draw(const BenchScene& scene, RunStatistics& run) {
+  if (scene_ != &scene) {
+    renderer_.reset();  // its memory goes before the new one's comes
+    renderer_.emplace(context_.getProcAddress(), exactFactory(scene.model.scene, 0));
+    renderer_->setScene(scene.model.scene);
+    scene_ = &scene;
+  }
+  run.warmUpFrames = drawFirstFrame(*renderer_, scene.camera, run.settings, target_.target(), run.report);
+  // A pool that was sized by a first guess gets the size that the frame before asked for.
+  renderer_->render(scene.camera, run.settings, target_.target());
+  run.report = renderer_->report();
+  run.warnings = run.report.warnings;
+  failOnErrors();
+}
+
+std::vector<std::byte> Workbench::thumbnail() const {
+  const std::vector<std::uint8_t> pixels = target_.read();
+  const int step = (std::max(size_.width, size_.height) + kThumbnail - 1) / kThumbnail;
+  const int width = std::max(1, size_.width / step), height = std::max(1, size_.height / step);
+  std::vector<std::uint8_t> small;
+  small.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4);
+  const auto average = [&](int left, int top, int channel) {
+    int sum = 0, count = 0;
+    for (int y = top; y < std::min(top + step, size_.height); ++y)
+      for (int x = left; x < std::min(left + step, size_.width); ++x, ++count)
+        sum +=
+            pixels[(static_cast<std::size_t>(y) * static_cast<std::size_t>(size_.width) + static_cast<std::size_t>(x)) *
+                       4 +
+                   static_cast<std::size_t>(channel)];
+    return static_cast<std::uint8_t>(sum / count);
+  };
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      for (int channel = 0; channel < 4; ++channel) small.push_back(average(x * step, y * step, channel));
+  return encodePng(width, height, small);
+}
+
+void Workbench::failOnErrors() {
+  for (const gl::DebugMessage& message : log_.take())
+    if (message.error()) throw Error(ErrorKind::failed, "GL error: " + message.text);
+  // Not every driver reports every error to the callback.
+  if (const GLenum code = api_.GetError(); code != GL_NO_ERROR)
+    throw Error(ErrorKind::failed, "GL error " + std::to_string(code));
+}
+
+}  // namespace halfsilver::bench

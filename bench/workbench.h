@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "apps/offscreen.h"
+#include "apps/statistics.h"
+#include "bench/request.h"
+#include "context/context.h"
+#include "gl/api.h"
+#include "gl/debug.h"
+#include "renderer.h"
+#include "scene/model.h"
+
+namespace halfsilver::bench {
+
+struct BenchScene {
+  std::string name;
+  Model model;
+  Camera camera;
+  std::vector<std::string> mirrors;  // MATERIAL=REFLECTIVITY
+  double diagonal = 0;               // metres
+};
+
+// All scenes of a request, with its mirrors and camera: a bad one must not show after an hour's work. Warnings about
+// them go to stderr.
+std::vector<BenchScene> loadScenes(const Request& request);
+
+// A device with one scene at a time on it.
+class Workbench {
+ public:
+  // Throws Error (noContext).
+  explicit Workbench(const Request& request);
+
+  // What identifies the device, the scene, the size and the settings of a run; nothing is drawn.
+  RunStatistics describe(const BenchScene& scene, const Settings& settings) const;
+
+  // Draws one whole frame; `run` gets its report. The scene must live until the next one. Throws Error (failed) where
+  // GL complains.
+  void draw(const BenchScene& scene, RunStatistics& run);
+
+  // Of the last frame.
+  Image layers() const { return renderer_->readLayers(); }
+  // PNG of at most 480 pixels along an edge.
+  std::vector<std::byte> thumbnail() const;
+
+ private:
+  void failOnErrors();
+
+  Size size_;
+  Context context_;
+  gl::Api api_;
+  gl::DebugLog log_;
+  OffscreenTarget target_;
+  DeviceInfo device_;
+  const BenchScene* scene_ = nullptr;
+  std::optional<Renderer> renderer_;
+};
+
+}  // namespace halfsilver::bench
