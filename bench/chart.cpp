@@ -73,20 +73,21 @@ std::string gnuplotScript(const StackedBars& chart, ChartFormat format) {
   const std::vector<double> centers = positions(chart);
   const Range range = axisRange(chart);
   std::ostringstream script;
-  const double width = std::max(720.0, 46 * (centers.empty() ? 1 : centers.back() + 2) + 120);
-  script << "set terminal " << (format == ChartFormat::svg ? "svg" : "pngcairo") << " noenhanced size " << width
-         << ",560 background rgb \"white\" font \"sans,12\"\n"
-         << "set title " << quoted(chart.title) << "\nset ylabel " << quoted(chart.axis) << '\n'
-         << "set logscale y 10\nset yrange [" << range.low << ':' << range.high << "]\n"
-         << "set xrange [-0.8:" << (centers.empty() ? 1 : centers.back()) + 0.8 << "]\n"
-         << "set format y \"%g\"\nset grid ytics lc rgb \"#dddddd\"\nset border 3\nset tics nomirror out\n"
-         << "set style fill solid 1 noborder\nset key outside top center horizontal\nset bmargin 11\n";
+  const double width = std::max(800.0, 46 * (centers.empty() ? 1 : centers.back() + 2) + 120);
+  script
+      << "set terminal " << (format == ChartFormat::svg ? "svg" : "pngcairo") << " noenhanced size " << width
+      << ",480 background rgb \"white\" font \"sans,12\"\n"
+      << "set title " << quoted(chart.title) << "\nset ylabel " << quoted(chart.axis) << '\n'
+      << "set logscale y 10\nset yrange [" << range.low << ':' << range.high << "]\n"
+      << "set xrange [-0.8:" << (centers.empty() ? 1 : centers.back()) + 0.8 << "]\n"
+      << "set format y \"%g\"\nset grid ytics lc rgb \"#dddddd\"\nset border 3\nset tics nomirror out\n"
+      << "set style fill solid 1 noborder\nset key outside top center horizontal maxrows 1 samplen 1\nset bmargin 8\n";
   std::string tics;
   for (std::size_t i = 0; i < chart.bars.size(); ++i) {
     const Bar& bar = chart.bars[i];
     tics += (i ? ", " : "") + quoted(bar.name) + ' ' + std::to_string(centers[i]);
-    script << "set label " << quoted(bar.label) << " at " << centers[i] << ','
-           << std::max(range.low, sum(bar.parts)) * 1.08 << " center font \",9\"\n";
+    script << "set label " << quoted(bar.label) << " at " << centers[i] << ',' << std::max(range.low, sum(bar.parts))
+           << " center offset 0,0.5 font \",9\"\n";
     if (i > 0 && bar.group == chart.bars[i - 1].group) continue;
     std::size_t last = i;
     while (last + 1 < chart.bars.size() && chart.bars[last + 1].group == bar.group) ++last;

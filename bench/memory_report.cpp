@@ -236,7 +236,7 @@ Table memorySummary(const MemoryPoints& points) {
 StackedBars memoryChart(const MemoryPoints& points) {
   StackedBars chart{"Memory of the ray-tracing structure, by scene and method",
                     "MB (logarithmic)",
-                    {"voxel grid", "list heads", "pool, used", "pool, wasted", "other (reference: CPU tree)"},
+                    {"voxel grid", "list heads", "pool, used", "pool, wasted", "other (reference: tree on the CPU)"},
                     {}};
   for (const Json& point : points) {
     Bar bar{sceneOf(point), presetOf(point), {}, megabytes(memory(point, "structure_total"))};

@@ -15,8 +15,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A room below renderer/ with the rooms that it may include besides itself. Whatever is not named is forbidden: upward
-// edges and sisters. "settings" and "renderer" are settings.* and renderer.*, "shared" is shaders/shared.
+// A room below renderer/, or bench/, with the rooms that it may include besides itself. Whatever is not named is
+// forbidden: upward edges and sisters. "settings" and "renderer" are settings.* and renderer.*, "shared" is
+// shaders/shared.
 const std::map<std::string, std::set<std::string>> kMayInclude = {
     {"core", {}},
     {"settings", {"core"}},
@@ -30,6 +31,7 @@ const std::map<std::string, std::set<std::string>> kMayInclude = {
     {"io", {"core", "scene", "settings"}},
     {"exact", {"core", "scene", "gl", "frame", "settings", "shared", "tracing"}},
     {"apps", {"core", "scene", "gl", "settings", "renderer", "context", "io", "exact"}},
+    {"bench", {"core", "scene", "gl", "settings", "renderer", "context", "io", "apps"}},
 };
 
 struct Include {
@@ -82,16 +84,19 @@ std::vector<fs::path> filesBelow(const std::string& folder, const std::set<std::
 }
 
 TEST(Layering, IncludesPointOneWay) {
-  const fs::path root = fs::path(HALFSILVER_SOURCE_DIR) / "renderer";
-  const std::vector<fs::path> files = filesBelow("renderer", {".h", ".cpp"});
+  const fs::path project(HALFSILVER_SOURCE_DIR), root = project / "renderer";
+  std::vector<fs::path> files = filesBelow("renderer", {".h", ".cpp"});
   ASSERT_GT(files.size(), 20u);
+  const std::vector<fs::path> bench = filesBelow("bench", {".h", ".cpp"});
+  files.insert(files.end(), bench.begin(), bench.end());
   std::size_t count = 0;
   for (const fs::path& file : files) {
-    const fs::path path = file.lexically_relative(root);
+    const fs::path inProject = file.lexically_relative(project);
+    const fs::path path = *inProject.begin() == "renderer" ? file.lexically_relative(root) : inProject;
     for (const Include& include : includes(file)) {
       ++count;
       if (const auto wrong = complaint(path, include.path))
-        ADD_FAILURE() << "renderer/" << path.string() << ":" << include.line << " includes \"" << include.path
+        ADD_FAILURE() << inProject.string() << ":" << include.line << " includes \"" << include.path
                       << "\": " << *wrong;
     }
   }
@@ -109,6 +114,8 @@ TEST(Layering, RulesForbidUpwardEdgesAndSisters) {
   EXPECT_TRUE(complaint("io/gltf.cpp", "renderer.h"));
   EXPECT_TRUE(complaint("tracing/attributes/attribute_tracer.cpp", "tracing/identity/identity_tracer.h"));
   EXPECT_TRUE(complaint("io/gltf.cpp", "apps/commands.h"));
+  EXPECT_TRUE(complaint("apps/render.cpp", "bench/table.h"));
+  EXPECT_TRUE(complaint("bench/memory.cpp", "passes/gbuffer.h"));
   EXPECT_TRUE(complaint("gl/buffer.cpp", "nowhere.h"));
 }
 

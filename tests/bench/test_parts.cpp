@@ -1,0 +1,120 @@
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "bench/chart.h"
+#include "bench/estimate.h"
+#include "bench/memory.h"
+#include "bench/page.h"
+#include "bench/points.h"
+#include "bench/table.h"
+#include "core/error.h"
+#include "temporary_folder.h"
+
+namespace halfsilver::bench {
+namespace {
+
+namespace fs = std::filesystem;
+
+TEST(BenchTable, CsvQuotesWhatNeedsIt) {
+  const Table table{{"scene", "bytes"}, {{"a,b", "1"}, {"say \"x\"", ""}, {"two\nlines", "2"}}};
+  EXPECT_EQ(toCsv(table), "scene,bytes\n\"a,b\",1\n\"say \"\"x\"\"\",\n\"two\nlines\",2\n");
+}
+
+TEST(BenchTable, HtmlIsEscapedAndNumbersStandAtTheRight) {
+  const std::string html = toHtml({{"a&b"}, {{"<script>"}, {"12.5"}}});
+  EXPECT_NE(html.find("<th>a&amp;b</th>"), html.npos);
+  EXPECT_NE(html.find("<td>&lt;script&gt;</td>"), html.npos);
+  EXPECT_NE(html.find("<td class=\"number\">12.5</td>"), html.npos);
+  EXPECT_EQ(escapeHtml("\"a\" < b > c & d"), "&quot;a&quot; &lt; b &gt; c &amp; d");
+}
+
+TEST(BenchTable, TextIsAligned) {
+  EXPECT_EQ(toText({{"name", "MB"}, {{"a", "1.5"}, {"longer", "10.25"}}}),
+            "name    MB\na         1.5\nlonger  10.25\n");
+}
+
+TEST(BenchEstimate, GrowsWithTheWorkThatIsLeft) {
+  Estimate estimate;
+  estimate.plan(10);
+  estimate.plan(30);
+  EXPECT_EQ(estimate.left(), "");
+  estimate.done(10, 5);
+  EXPECT_EQ(estimate.left(), "about 15 s left");
+  estimate.plan(3600);
+  EXPECT_EQ(estimate.left(), "about 30 min left");
+  estimate.done(3630, 1);
+  EXPECT_EQ(estimate.left(), "about 0 s left");
+}
+
+TEST(BenchPage, PicturesAreInIt) {
+  EXPECT_NE(thumbnail("Man", "m").find("data:image/png;base64,TWFu\""), std::string::npos);
+  EXPECT_NE(thumbnail("Ma", "m").find("base64,TWE=\""), std::string::npos);
+  EXPECT_NE(thumbnail(std::string_view("\xff", 1), "m").find("base64,/w==\""), std::string::npos);
+  EXPECT_EQ(inlineSvg("<?xml version=\"1.0\"?>\n<svg a=\"b\"></svg>"), "<svg a=\"b\"></svg>");
+  EXPECT_NE(page("a < b", "<p>x</p>").find("<title>a &lt; b</title>"), std::string::npos);
+}
+
+TEST(BenchChart, NamesCannotLeaveTheirQuotes) {
+  const StackedBars chart{"t\"; system \"x", "MB", {"part"}, {{"g\\\n", "n", {2}, "2"}, {"other", "m", {0}, "0"}}};
+  const std::string script = gnuplotScript(chart, ChartFormat::svg);
+  EXPECT_NE(script.find("set title \"t\\\"; system \\\"x\"\n"), script.npos);
+  EXPECT_NE(script.find("\"g\\\\\""), script.npos);
+  EXPECT_EQ(script.find("nan"), script.npos);
+  EXPECT_EQ(script.find("inf"), script.npos);
+}
+
+// A square with the given edges as two triangles.
+Scene square(const glm::vec3& a, const glm::vec3& b) {
+  Scene scene;
+  for (const glm::vec3& position : {glm::vec3(0), a, a + b, b}) {
+    scene.vertices.emplace_back();
+    scene.vertices.back().position = position;
+  }
+  scene.triangles = {{{0, 1, 2}, 0}, {{0, 2, 3}, 0}};
+  return scene;
+}
+
+TEST(SingleOverThree, IsOneForFloorsAndAThirdForTheDiagonal) {
+  EXPECT_NEAR(singleOverThree(square({1, 0, 0}, {0, 0, 1})), 1, 1e-9);
+  EXPECT_NEAR(singleOverThree(square({1, 0, 0}, {0, 1, 1})), 0.5, 1e-9);
+  EXPECT_NEAR(singleOverThree(square({1, -1, 0}, {0, 1, -1})), 1.0 / 3, 1e-6);
+  EXPECT_EQ(singleOverThree(Scene()), 1);
+}
+
+TEST(BenchPoints, AreKeptAndFoundByTheirKey) {
+  const TemporaryFolder folder;
+  const fs::path file = folder / "memory.json";
+  {
+    Points points(file, "memory");
+    EXPECT_FALSE(fs::exists(file));
+    points.keep({{"preset", "a"}, {"size", {160, 90}}, {"result", 0.1}});
+  }
+  const Points points(file, "memory");
+  const auto* found = points.find({{"preset", "a"}, {"size", {160, 90}}});
+  ASSERT_NE(found, nullptr);
+  EXPECT_EQ((*found)["result"], 0.1);
+  EXPECT_EQ(points.find({{"preset", "a"}, {"size", {160, 91}}}), nullptr);
+  EXPECT_EQ(points.find({{"preset", "a"}, {"device", "x"}}), nullptr);
+  EXPECT_THROW(Points(file, "coverage"), Error);
+  for (const char* text : {"", "{", "[]", R"({"mode": "memory", "points": [3]})"}) {
+    std::ofstream(file) << text;
+    EXPECT_THROW(Points(file, "memory"), Error) << text;
+  }
+}
+
+TEST(OutputFolder, GoesWhereNothingWasPutIntoIt) {
+  const TemporaryFolder folder;
+  { const OutputFolder output(folder / "a/b/"); }
+  EXPECT_FALSE(fs::exists(folder / "a"));
+  {
+    const OutputFolder output(folder / "a/b");
+    std::ofstream(output / "file") << "x";
+  }
+  EXPECT_TRUE(fs::exists(folder / "a/b/file"));
+  EXPECT_THROW(OutputFolder(folder / "a/b/file"), Error);
+  EXPECT_THROW(OutputFolder(folder / "a/b/file/c"), Error);
+}
+
+}  // namespace
+}  // namespace halfsilver::bench
