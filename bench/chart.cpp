@@ -74,14 +74,14 @@ std::string gnuplotScript(const StackedBars& chart, ChartFormat format) {
   const Range range = axisRange(chart);
   std::ostringstream script;
   const double width = std::max(800.0, 46 * (centers.empty() ? 1 : centers.back() + 2) + 120);
-  script
-      << "set terminal " << (format == ChartFormat::svg ? "svg" : "pngcairo") << " noenhanced size " << width
-      << ",480 background rgb \"white\" font \"sans,12\"\n"
-      << "set title " << quoted(chart.title) << "\nset ylabel " << quoted(chart.axis) << '\n'
-      << "set logscale y 10\nset yrange [" << range.low << ':' << range.high << "]\n"
-      << "set xrange [-0.8:" << (centers.empty() ? 1 : centers.back()) + 0.8 << "]\n"
-      << "set format y \"%g\"\nset grid ytics lc rgb \"#dddddd\"\nset border 3\nset tics nomirror out\n"
-      << "set style fill solid 1 noborder\nset key outside top center horizontal maxrows 1 samplen 1\nset bmargin 8\n";
+  script << "set terminal " << (format == ChartFormat::svg ? "svg" : "pngcairo") << " noenhanced size " << width
+         << ",480 background rgb \"white\" font \"sans,12\"\n"
+         << "set title " << quoted(chart.title) << "\nset ylabel " << quoted(chart.axis) << '\n'
+         << "set logscale y 10\nset yrange [" << range.low << ':' << range.high << "]\n"
+         << "set xrange [-0.8:" << (centers.empty() ? 1 : centers.back()) + 0.8 << "]\n"
+         << "set format y \"%g\"\nset grid ytics lc rgb \"#dddddd\"\nset border 3\nset tics nomirror out\n"
+         << "set style fill solid 1 noborder\nset key outside top center horizontal maxrows 1 samplen 1 font "
+            "\",10\"\nset bmargin 8\n";
   std::string tics;
   for (std::size_t i = 0; i < chart.bars.size(); ++i) {
     const Bar& bar = chart.bars[i];

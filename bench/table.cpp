@@ -5,7 +5,10 @@
 namespace halfsilver::bench {
 namespace {
 
-bool isNumber(const std::string& cell) { return !cell.empty() && cell[0] >= '0' && cell[0] <= '9'; }
+bool isNumber(const std::string& cell) {
+  const std::size_t first = cell.starts_with('-') ? 1 : 0;
+  return cell.size() > first && cell[first] >= '0' && cell[first] <= '9';
+}
 
 std::string csvCell(const std::string& cell) {
   if (cell.find_first_of("\",\r\n") == cell.npos) return cell;

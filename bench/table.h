@@ -13,7 +13,7 @@ struct Table {
 };
 
 std::string toCsv(const Table& table);   // RFC 4180, lines end with \n
-std::string toHtml(const Table& table);  // <table>; cells that start with a digit stand at the right
+std::string toHtml(const Table& table);  // <table>; numbers stand at the right
 std::string toText(const Table& table);  // aligned, for a terminal
 
 std::string escapeHtml(std::string_view text);

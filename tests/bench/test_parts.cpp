@@ -64,21 +64,20 @@ TEST(BenchChart, NamesCannotLeaveTheirQuotes) {
   EXPECT_EQ(script.find("inf"), script.npos);
 }
 
-// A square with the given edges as two triangles.
-Scene square(const glm::vec3& a, const glm::vec3& b) {
+Scene oneTriangle(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
   Scene scene;
-  for (const glm::vec3& position : {glm::vec3(0), a, a + b, b}) {
+  for (const glm::vec3& position : {a, b, c}) {
     scene.vertices.emplace_back();
     scene.vertices.back().position = position;
   }
-  scene.triangles = {{{0, 1, 2}, 0}, {{0, 2, 3}, 0}};
+  scene.triangles = {{{0, 1, 2}, 0}};
   return scene;
 }
 
 TEST(SingleOverThree, IsOneForFloorsAndAThirdForTheDiagonal) {
-  EXPECT_NEAR(singleOverThree(square({1, 0, 0}, {0, 0, 1})), 1, 1e-9);
-  EXPECT_NEAR(singleOverThree(square({1, 0, 0}, {0, 1, 1})), 0.5, 1e-9);
-  EXPECT_NEAR(singleOverThree(square({1, -1, 0}, {0, 1, -1})), 1.0 / 3, 1e-6);
+  EXPECT_NEAR(singleOverThree(oneTriangle({0, 0, 0}, {1, 0, 0}, {0, 0, 1})), 1, 1e-9);
+  EXPECT_NEAR(singleOverThree(oneTriangle({0, 0, 0}, {1, 0, 0}, {0, 1, 1})), 0.5, 1e-9);
+  EXPECT_NEAR(singleOverThree(oneTriangle({1, 0, 0}, {0, 1, 0}, {0, 0, 1})), 1.0 / 3, 1e-9);
   EXPECT_EQ(singleOverThree(Scene()), 1);
 }
 
