@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <iterator>
@@ -191,7 +192,10 @@ void writeReport(const OutputFolder& folder, const std::vector<Json>& points, co
   std::vector<AtomicFile> files;
   for (const auto& [name, text] : texts) files.emplace_back(folder / name).write(text);
   for (AtomicFile& file : files) file.commit();
-  if (!svg) std::cerr << "warning: gnuplot is not installed (Debian: gnuplot-nox); there are no charts\n";
+  if (svg) return;
+  // Charts of an earlier run would not be those of this table.
+  for (const char* name : {"memory.svg", "memory.png"}) std::filesystem::remove(folder / name);
+  std::cerr << "warning: gnuplot is not installed (Debian: gnuplot-nox); there are no charts\n";
 }
 
 }  // namespace
