@@ -62,7 +62,7 @@ class IdentityTracer final : public Tracer {
   BuildCounters counters_;
   std::optional<std::uint32_t> geometry_;  // of what is built; none: nothing is
   std::uint32_t lists_ = 0;
-  std::uint64_t used_ = 0;  // entries
+  std::uint64_t used_ = 0;   // entries
   std::uint64_t stale_ = 0;  // of those, in lists that have been built anew since
   std::uint64_t lost_ = 0;   // entries that found no room
 };
