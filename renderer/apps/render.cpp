@@ -134,9 +134,7 @@ void drawFrames(Renderer& renderer, const Camera& camera, const Settings& settin
   StageTimes times;
   progress.show("first frame");
   const int first = drawFirstFrame(renderer, camera, settings, target, statistics.report);
-  // Shadow maps are drawn once, in the first frame: their time is the only one that a warm-up frame has to tell.
-  for (const StageTime& time : statistics.report.times)
-    if (repeat == 0 || time.stage == "shadow") times.add(std::span(&time, 1));
+  const std::vector<StageTime> firstTimes = statistics.report.times;
   statistics.firstFrame = repeat == 0;
   statistics.warmUpFrames = first - (repeat == 0 ? 1 : 0);
   addWarnings(statistics.report.warnings, statistics.warnings);
@@ -154,6 +152,9 @@ void drawFrames(Renderer& renderer, const Camera& camera, const Settings& settin
   if (statistics.report.lostFragments > 0)
     addWarnings({std::to_string(statistics.report.lostFragments) + " fragments found no room in the A-buffer"},
                 statistics.warnings);
+  // What only the first frame did has only its time to tell: shadow maps, and structures that are kept.
+  for (const StageTime& time : firstTimes)
+    if (!times.has(time.stage)) times.add(std::span(&time, 1));
   statistics.stages = times.summarize();
   if (repeat > 0) clock.lap("frames");
 }

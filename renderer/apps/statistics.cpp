@@ -80,6 +80,10 @@ void StageTimes::add(std::span<const StageTime> frame) {
   }
 }
 
+bool StageTimes::has(const std::string& stage) const {
+  return std::any_of(samples_.begin(), samples_.end(), [&](const auto& s) { return s.first == stage; });
+}
+
 std::vector<StageSummary> StageTimes::summarize() const {
   std::vector<std::string> order = stageNames();
   for (const auto& [stage, times] : samples_)

@@ -28,6 +28,7 @@ struct StageSummary {
 class StageTimes {
  public:
   void add(std::span<const StageTime> frame);
+  bool has(const std::string& stage) const;
   // All stages of the contract, then any others in order of appearance.
   std::vector<StageSummary> summarize() const;
 

@@ -12,7 +12,7 @@ namespace {
 // Iterations after which a ray yields, where the driver stops shaders at 65,535 of them in a vector of eight rays.
 constexpr int kSoftwareWorkLimit = 4000;
 // Dispatches after which the rest is given up; a ray does at least a voxel in each.
-constexpr int kMostDispatches = 256;
+constexpr int kMostDispatches = 1024;
 
 constexpr GLintptr kUnfinishedOffset = offsetof(shared::RayCount, unfinished);
 

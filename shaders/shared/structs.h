@@ -100,7 +100,7 @@ struct ListBuild {
   uint requested;  // lists that rays wait for
   uint total;      // the last prefix sum
   uint stale;      // entries of lists that were given up
-  uint padding;
+  uint longest;    // entries of the longest requested list
 };
 
 // Result of one ray (16 bytes). t in metres along the unit direction; triangle is NO_TRIANGLE unless it hit.

@@ -75,12 +75,17 @@ bool between(float value, float a, float b) { return value >= min(a, b) && value
 
 bool sheet(Sample s) { return doubleSided(triangleAt(uint(s.nearestTriangle)).w); }
 
+// Into a solid the ray goes through a surface that faces it; the backs of single-sided surfaces are invisible.
+bool facing(TraceRay ray, Sample s) {
+  return dot(unpackNormalReflectivity(imageLoad(pool, int(s.nearest) * ENTRY_TEXELS + 1)).xyz, ray.direction) < 0.0;
+}
+
 // Whether the ray meets a surface between two neighbouring points. Into a solid it goes where the second point is
 // inside, whether or not the wall that it passes left a fragment in this A-buffer: steep walls leave none. A sheet of
 // two sides has no inside: both points must know it, or the depths passed include it; and it is met from behind too.
-bool crossed(Sample a, Sample b) {
+bool crossed(TraceRay ray, Sample a, Sample b) {
   if (a.side >= 0.0 && b.side < 0.0)
-    return a.nearest != noFragment || !sheet(b) || between(b.nearestDepth, a.depth, b.depth);
+    return sheet(b) ? a.nearest != noFragment || between(b.nearestDepth, a.depth, b.depth) : facing(ray, b);
   return a.side < 0.0 && b.side > 0.0 && sheet(b);
 }
 
@@ -89,7 +94,7 @@ void refine(TraceRay ray, Slab slab, Sample a, Sample b, inout Hit best, inout i
   for (int i = 0; i < refinements; ++i) {
     float t = 0.5 * (a.t + b.t);
     Sample middle = sampleAt(ray, slab, t, texelAt(ray, slab.axis, t), work);
-    if (crossed(a, middle))
+    if (crossed(ray, a, middle))
       b = middle;
     else
       a = middle;
@@ -106,10 +111,6 @@ void refine(TraceRay ray, Slab slab, Sample a, Sample b, inout Hit best, inout i
   foundFragment = fragment;
 }
 
-vec3 normalOf(uint fragment) {
-  return unpackNormalReflectivity(imageLoad(pool, int(fragment) * ENTRY_TEXELS + 1)).xyz;
-}
-
 void searchBuffer(TraceRay ray, int axis, float begin, float end, inout Hit best, inout int work) {
   vec2 depths = vec2(permute(ray.gridOrigin + ray.gridDirection * begin, axis).z,
                      permute(ray.gridOrigin + ray.gridDirection * end, axis).z);
@@ -120,10 +121,8 @@ void searchBuffer(TraceRay ray, int axis, float begin, float end, inout Hit best
 
   float known = best.t;
   Sample last = sampleAt(ray, slab, begin, texelAt(ray, axis, begin), work);
-  // A wall between two voxels may have left fragments in neither: the ray then starts inside. Where the surface faces
-  // along the ray, the point must lie deeper than the texels' rounding, or rays would end on surfaces that they leave.
-  bool deep = last.side < -2.0 / float(bufferResolution);
-  if (last.side < 0.0 && begin > ray.least && !sheet(last) && (deep || dot(normalOf(last.nearest), ray.direction) < 0.0)) {
+  // A wall between two voxels may have left fragments in neither: the ray then starts inside.
+  if (last.side < 0.0 && begin > ray.least && !sheet(last) && facing(ray, last)) {
     best = Hit(begin, uint(last.nearestTriangle), 0.0, 0.0);
     foundFragment = last.nearest;
     return;
@@ -132,7 +131,7 @@ void searchBuffer(TraceRay ray, int axis, float begin, float end, inout Hit best
   for (int i = 1; i <= LINEAR_STEPS; ++i) {
     float t = begin + (end - begin) * float(i) / float(LINEAR_STEPS);
     Sample next = sampleAt(ray, slab, t, texelAt(ray, axis, t), work);
-    when (crossed(last, next)) refine(ray, slab, last, next, best, work);
+    when (crossed(ray, last, next)) refine(ray, slab, last, next, best, work);
     if (best.t < known) break;
     last = next;
   }
@@ -145,7 +144,7 @@ void searchBuffer(TraceRay ray, int axis, float begin, float end, inout Hit best
     // The middle of the texel's stretch; in the last texel its end, so that the whole stretch is looked at.
     float t = leave < end ? 0.5 * (enter + leave) : end;
     Sample next = sampleAt(ray, slab, max(t, last.t), walk.texel, work);
-    when (crossed(last, next)) refine(ray, slab, last, next, best, work);
+    when (crossed(ray, last, next)) refine(ray, slab, last, next, best, work);
     last = next;
     enter = leave;
     going = !cut && best.t >= known && leave < end && stepTexelWalk(walk);
@@ -155,16 +154,18 @@ void searchBuffer(TraceRay ray, int axis, float begin, float end, inout Hit best
 }
 
 // From voxel to voxel until one answers: one surface a voxel is the methods' assumption, and the first one found ends
-// the search. False where the ray is not through; `t` is then the voxel to go on with.
-bool march(TraceRay ray, inout float t, float end, inout Hit best) {
+// the search. False where the ray is not through; `t` is then the voxel to go on with, and `left` tells the next
+// dispatch whether something was missing so far.
+bool march(TraceRay ray, inout float t, float end, inout vec2 left, inout Hit best) {
+  incomplete = left.x > 0.0;
   int work = 0;
   bool yielded = false;
   bool going = t < end;
   VoxelWalk walk = startVoxelWalk(ray, t);
   while (going) {
     float leave = max(t, min(voxelExit(walk), end));
-    for (uint left = voxelMask(walk.voxel); left != 0u; left &= left - 1u)
-      searchBuffer(ray, findLSB(left), t, leave, best, work);
+    for (uint mask = voxelMask(walk.voxel); mask != 0u; mask &= mask - 1u)
+      searchBuffer(ray, findLSB(mask), t, leave, best, work);
     going = best.t == farAway && !cut && leave < end && stepVoxelWalk(ray, walk);
     if (going) {
       t = leave;
@@ -172,6 +173,7 @@ bool march(TraceRay ray, inout float t, float end, inout Hit best) {
       going = !yielded;
     }
   }
+  left.x = incomplete ? 1.0 : 0.0;
   return !(cut || yielded || going);
 }
 

@@ -49,9 +49,12 @@ void requestAhead(TraceRay ray, VoxelWalk walk, float end) {
   }
 }
 
-// False where the ray is not through; `t` is then the voxel to go on with.
-bool march(TraceRay ray, inout float t, float end, inout Hit best) {
+// False where the ray is not through; `t` is then the voxel to go on with, and `left` the best triangle so far + 1 and
+// the number of candidates that are done (exact to 2^24).
+bool march(TraceRay ray, inout float t, float end, inout vec2 left, inout Hit best) {
   int work = 0;
+  uint done = uint(left.y);
+  if (left.x > 0.0) testCandidate(ray, uint(left.x) - 1u, best);
   bool yielded = false;
   uvec2 list = uvec2(0u);  // what is left of the voxel's candidates
   VoxelWalk walk = startVoxelWalk(ray, t);
@@ -64,6 +67,7 @@ bool march(TraceRay ray, inout float t, float end, inout Hit best) {
         // A hit behind this voxel may still be beaten by a triangle of the voxels before it.
         going = best.t > leave && leave < end && stepVoxelWalk(ray, walk);
         if (going) {
+          left = vec2(0.0);
           t = leave;
           leave = max(t, min(voxelExit(walk), end));
           yielded = ++work >= workLimit;
@@ -74,16 +78,30 @@ bool march(TraceRay ray, inout float t, float end, inout Hit best) {
       if (going && voxelMask(walk.voxel) != 0u) {
         list = heads[listOf(walk.voxel)];
         when (!present(list)) {
-          requestAhead(ray, walk, end);
+          if (lastDispatch == 0) requestAhead(ray, walk, end);
+          list = uvec2(0u);
           yielded = true;
           going = false;
         }
+        list.x += going ? done : 0u;
+        done = 0u;
       }
     }
     if (going && list.x != list.y) {
       testCandidate(ray, entries[list.x], best);
       ++list.x;
-      ++work;
+      if (++work >= workLimit && list.x != list.y) {
+        // From the middle of the voxel's stretch the walk starts in this voxel again, but for the shortest ones, which
+        // begin anew: there is no telling where rounding puts them.
+        float middle = 0.5 * (t + leave);
+        if (startVoxelWalk(ray, middle).voxel == walk.voxel) {
+          t = middle;
+          left = vec2(best.t < farAway ? float(best.triangle + 1u) : 0.0,
+                      float(list.x - heads[listOf(walk.voxel)].x));
+        }
+        yielded = true;
+        going = false;
+      }
     }
   }
   return !(yielded || going);

@@ -28,7 +28,11 @@ layout(std430, binding = SSBO_HEADS) buffer HeadBlock { uvec2 heads[]; };
 #endif
 #ifdef LISTS
 uniform uint firstEntry;
-uint valueOf(uint item) { return heads[item].x == LIST_REQUESTED ? heads[item].y : 0u; }
+uint valueOf(uint item) {
+  uint count = heads[item].x == LIST_REQUESTED ? heads[item].y : 0u;
+  if (count > listBuild.longest) atomicMax(listBuild.longest, count);
+  return count;
+}
 void store(uint item, uint sum) {
   // The end grows with every fragment that is stored.
   if (heads[item].x == LIST_REQUESTED) heads[item] = uvec2(firstEntry + sum);

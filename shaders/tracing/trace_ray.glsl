@@ -37,10 +37,11 @@ bool incomplete = false;  // the ray came by something that is missing from the 
 
 void traceRay(uint index) {
   float from = 0.0;
+  vec2 left = vec2(0.0);
   if (resuming == 1) {
     if (hits[index].triangle != UNFINISHED_TRIANGLE) return;
     from = hits[index].t;
-    incomplete = hits[index].u > 0.0;
+    left = vec2(hits[index].u, hits[index].v);
   }
   Ray queued = rays[index];
   TraceRay ray;
@@ -55,9 +56,9 @@ void traceRay(uint index) {
   Hit best = Hit(farAway, NO_TRIANGLE, 0.0, 0.0);
   vec2 range = gridRange(ray);
   float t = max(range.x, from);
-  if (!march(ray, t, range.y, best)) {
+  if (!march(ray, t, range.y, left, best)) {
     if (lastDispatch == 0) {
-      hits[index] = Hit(t, UNFINISHED_TRIANGLE, incomplete ? 1.0 : 0.0, 0.0);
+      hits[index] = Hit(t, UNFINISHED_TRIANGLE, left.x, left.y);
       atomicAdd(rayCount.unfinished, 1u);
       return;
     }

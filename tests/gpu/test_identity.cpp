@@ -129,6 +129,20 @@ TEST_F(TracingTest, LongListsAreComplete) {
   EXPECT_GT(frame.report.memory.fragmentsStored, 3000u);
 }
 
+// Everything in one voxel: rays leave a list half done where the driver's loops end, and go on in the next dispatch.
+TEST_F(TracingTest, ListsBeyondTheLoopLimitAreComplete) {
+  const Scene scene = soup(12000);
+  const Frame exact = draw(scene, kAbove, settingsWith({{"trace.method", "exact"}}), 24, 18);
+  const Frame frame =
+      draw(scene, kAbove, settingsWith({{"voxels.resolution", "1"}, {"voxels.per_triangle", "0"}}), 24, 18);
+  const HitErrors errors = compareHits(frame, exact, scene.bounds().diagonal());
+  EXPECT_GT(errors.rays, 200u);
+  EXPECT_EQ(errors.hitError, 0);
+  EXPECT_EQ(errors.wrongId, 0);
+  EXPECT_EQ(frame.report.overflow, 0u);
+  EXPECT_EQ(frame.report.memory.fragmentsStored, 12002u);
+}
+
 // What is built is what rays need, in memory of that size; it stays, and grows by what other rays need.
 TEST_F(TracingTest, ListsAreBuiltOnDemandAndStay) {
   const Scene scene = soup(3000);

@@ -254,23 +254,25 @@ TEST_F(TracingTest, FragmentsOfAFloorAreCountedExactly) {
   EXPECT_EQ(three.report.memory.fragmentsPerAxis[1], static_cast<std::uint64_t>(texels * texels));
 }
 
-// A box's walls stand along the axis of its voxels' A-buffer, so they leave no fragment there: a level ray meets them
-// where it comes to lie inside.
+// A step's wall stands along the axis of its voxels' A-buffer, so it leaves no fragment there: a ray meets it where it
+// comes to lie inside. The rays come down from a mirror overhead.
 TEST_F(TracingTest, StepsOfTheSearchDoNotPassSteepWalls) {
   Scene scene;
   scene.materials = {mirrorMaterial(), plain({1, 1, 1})};
-  addQuad(scene, {-2, 0, 2}, {2, 0, 2}, {2, 0, -1}, {-2, 0, -1}, 0);
-  // A low step where the floor ends: its top outweighs its front in every voxel.
-  addQuad(scene, {-2, 0.05f, -1}, {2, 0.05f, -1}, {2, 0.05f, -2}, {-2, 0.05f, -2}, 1);
-  addQuad(scene, {-2, 0, -1}, {2, 0, -1}, {2, 0.05f, -1}, {-2, 0.05f, -1}, 1);
+  scene.materials[0].doubleSided = true;
+  addQuad(scene, {-2, 1, 2}, {2, 1, 2}, {2, 1, -0.5f}, {-2, 1, -0.5f}, 0);
+  // The floor ends where the step's top begins; together they outweigh the wall between them.
+  addQuad(scene, {-2, 0, 2}, {2, 0, 2}, {2, 0, -1}, {-2, 0, -1}, 1);
+  addQuad(scene, {-2, 0.2f, -1}, {2, 0.2f, -1}, {2, 0.2f, -2}, {-2, 0.2f, -2}, 1);
+  addQuad(scene, {-2, 0, -1}, {2, 0, -1}, {2, 0.2f, -1}, {-2, 0.2f, -1}, 1);
   addTriangle(scene, {0, 4, 0}, {0.01f, 4, 0}, {0, 4, 0.01f}, 1);
-  const Camera camera = lookAt({0, 0.1f, 2}, {0, 0.0f, -1});
+  const Camera camera = lookAt({0, 0.6f, 2}, {0, 1, 0.3f});
   const Frame exact = draw(scene, camera, settingsWith({{"trace.method", "exact"}}), 120, 80);
   Settings settings = settingsWith({});
   applyPreset(settings, "kastrati2017");
   set(settings, "search.steps", "0");
   set(settings, "voxels.raster", "abuffer");
-  set(settings, "voxels.resolution", "64");
+  set(settings, "voxels.resolution", "16");
   set(settings, "abuffer.resolution", "512");
   const Frame frame = draw(scene, camera, settings, 120, 80);
   int walls = 0, passed = 0;
@@ -282,6 +284,26 @@ TEST_F(TracingTest, StepsOfTheSearchDoNotPassSteepWalls) {
     }
   EXPECT_GT(walls, 80);
   EXPECT_LE(passed, walls / 20);
+}
+
+// A single-sided plane whose back the rays see: invisible to them, however a method searches.
+TEST_F(TracingTest, BacksOfSingleSidedPlanesAreInvisibleToEveryMethod) {
+  Scene scene;
+  scene.materials = {mirrorMaterial(), plain({1, 1, 1})};
+  addQuad(scene, {-2, 0, 2}, {2, 0, 2}, {2, 0, -2}, {-2, 0, -2}, 0);
+  addQuad(scene, {-1, 0.7f, 1}, {1, 0.7f, 1}, {1, 0.7f, -1}, {-1, 0.7f, -1}, 1);  // faces up, away from the mirror
+  const Camera camera = lookAt({0, 0.4f, 3}, {0, 0, 0.5f});
+  for (const char* preset : {"halfsilver", "kastrati2017", "hu2014", "reference"}) {
+    Settings settings = settingsWith({});
+    applyPreset(settings, preset);
+    set(settings, "select.mode", "reflective");
+    set(settings, "abuffer.resolution", "256");
+    const Frame frame = draw(scene, camera, settings, 80, 60);
+    EXPECT_GT(frame.report.selected, 500u);
+    int hits = 0;
+    for (const float t : frame.plane("hit.T")) hits += t >= 0 ? 1 : 0;
+    EXPECT_EQ(hits, 0) << preset;
+  }
 }
 
 // Pages under contention: many sheets over the same texels are all stored, in every page size.

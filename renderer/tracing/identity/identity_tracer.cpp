@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 #include "frame/shared_structs.h"
 #include "shared/tracing.h"
@@ -17,11 +18,14 @@ constexpr int kVerticesPerTriangle = 6;
 // again. Few and many small builds, or fewer builds of lists that nobody needs.
 constexpr int kFirstLookAhead = 8;
 constexpr int kMostLookAhead = 4096;
+// Software rasterizers stop long loops: an invocation copies SUM_ITEMS lists.
+constexpr std::uint32_t kLongestSoftwareCopy = 400;
 // Room beyond what is needed where a pool grows that already holds lists: the next frame will want a little more.
 constexpr double kHeadroom = 1.05;
 
-gl::Program buildProgram(const gl::Api& api, const char* what) {
-  const gl::Define defines[] = {{what}};
+gl::Program rasterProgram(const gl::Api& api, bool move) {
+  std::vector<gl::Define> defines;
+  if (move) defines.push_back({"MOVE"});
   return gl::Program::raster(api, "tracing/identity_build.vert", "tracing/identity_build.frag", defines);
 }
 
@@ -51,13 +55,13 @@ IdentityTracer::IdentityTracer(const gl::Api& api, const Settings& settings)
       rankSum_(api, "RANKS"),
       placeSum_(api, "LISTS"),
       cull_(gl::Program::compute(api, "tracing/identity_cull.comp")),
-      count_(buildProgram(api, "COUNT")),
-      fill_(buildProgram(api, "FILL")),
+      build_(rasterProgram(api, false)),
       tracePass_(makeTracePass(api, settings)),
       vertexArray_(api),
       counters_(api) {}
 
 void IdentityTracer::build(const GpuScene& scene, const RayQueue&, gl::Profiler& profiler) {
+  if (lost_ > 0) geometry_.reset();  // a full pool begins anew
   if (keep_ && geometry_ == scene.geometry) return;
   const Grid grid = makeCubicGrid(scene.bounds, resolution_, perTriangle_ * static_cast<double>(scene.triangleCount));
   const bool follows = keep_ && ownAxis_ && geometry_ && *geometry_ + 1 == scene.geometry && grid == grid_;
@@ -75,11 +79,10 @@ void IdentityTracer::build(const GpuScene& scene, const RayQueue&, gl::Profiler&
 // Lists may name triangles that have gone: the exact test sees where they are now. So only voxels that moved triangles
 // have come to matter: they are occupied, and their lists are built anew once a ray asks.
 void IdentityTracer::followMove(const GpuScene& scene) {
-  if (!occupy_) {
+  if (!move_) {
     const gl::Define moved[] = {{"MOVED"}};
     collectMoved_ = gl::Program::compute(*api_, "tracing/identity_cull.comp", moved);
-    occupy_ = buildProgram(*api_, "OCCUPY");
-    forget_ = buildProgram(*api_, "FORGET");
+    move_ = rasterProgram(*api_, true);
     renumber_ = gl::Program::compute(*api_, "tracing/identity_renumber.comp");
     compactSum_.emplace(*api_, "COMPACT");
   }
@@ -92,9 +95,9 @@ void IdentityTracer::followMove(const GpuScene& scene) {
     collectMoved_.set("vertexCount", static_cast<GLuint>(range.count));
     collect(collectMoved_, scene);
     const gl::Buffer oldWords = copyOf(voxels_.words);
-    rasterizeCandidates(occupy_, scene);
+    rasterizeCandidates(move_, 0, scene);
     renumber(oldWords);
-    rasterizeCandidates(forget_, scene);
+    rasterizeCandidates(move_, 1, scene);
     std::uint32_t stale = 0;
     api_->MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);  // counts (fragments) are read by the host
     listBuild_.read(offsetof(shared::ListBuild, stale), &stale, sizeof(stale));
@@ -102,11 +105,17 @@ void IdentityTracer::followMove(const GpuScene& scene) {
   }
   clearListBuild();
   // Lists that were given up leave their entries behind.
-  if (static_cast<double>(used_) > kHeadroom * static_cast<double>(used_ - stale_)) compact();
+  if (static_cast<double>(used_) <= kHeadroom * static_cast<double>(used_ - stale_)) return;
+  const bool loopsEnd = api_->software && longest_ > kLongestSoftwareCopy;
+  if (loopsEnd)
+    numberLists();
+  else
+    compact();
 }
 
 void IdentityTracer::compact() {
-  const auto wanted = static_cast<std::uint64_t>(kHeadroom * static_cast<double>(used_ - stale_)) + 4;
+  const std::uint64_t wanted =
+      std::min(capacity(), static_cast<std::uint64_t>(kHeadroom * static_cast<double>(used_ - stale_)) + 4);
   gl::Buffer together(*api_, wanted * kEntryBytes, "A-buffer entries");
   bindStructure();
   together.bindStorage(SSBO_MOVED_ENTRIES);
@@ -179,6 +188,7 @@ void IdentityTracer::numberLists() {
   resize(*api_, heads_, lists_ * 2 * sizeof(GLuint), "A-buffer heads");
   heads_.fill(LIST_MISSING);
   used_ = stale_ = lost_ = 0;
+  longest_ = 0;
   if (!entries_) resize(*api_, entries_, 0, "A-buffer entries");
   // Heads (clear) are read and written by the trace.
   api_->MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
@@ -210,22 +220,24 @@ void IdentityTracer::trace(const GpuScene& scene, const RayQueue& rays, Hits& hi
 }
 
 bool IdentityTracer::buildRequested(const GpuScene& scene) {
+  if (lost_ > 0) return false;
   shared::ListBuild state{};
   listBuild_.read(0, &state, sizeof(state));
-  if (state.requested == 0) return lost_ == 0;
+  if (state.requested == 0) return true;  // rays that only ran out of iterations
 
   resize(*api_, candidates_, scene.triangleCount * sizeof(GLuint), "candidates of a build");
   candidates_.bindStorage(SSBO_LINKS);
   grid_.apply(cull_);
   collect(cull_, scene);
-  rasterizeCandidates(count_, scene);
+  rasterizeCandidates(build_, 0, scene);
   placeSum_.sum(lists_);
   listBuild_.read(0, &state, sizeof(state));
+  longest_ = std::max(longest_, state.longest);
   const bool room = makeRoom(state.total);
   if (room) {
     placeSum_.placing().set("firstEntry", static_cast<GLuint>(used_));
     placeSum_.place(lists_);
-    rasterizeCandidates(fill_, scene);
+    rasterizeCandidates(build_, 1, scene);
     used_ += state.total;
   } else {
     lost_ += state.total;  // the lists stay requested and missing
@@ -237,12 +249,13 @@ bool IdentityTracer::buildRequested(const GpuScene& scene) {
   return room;
 }
 
-void IdentityTracer::rasterizeCandidates(const gl::Program& program, const GpuScene& scene) {
+void IdentityTracer::rasterizeCandidates(const gl::Program& program, int step, const GpuScene& scene) {
   bindStructure();
   candidates_.bindStorage(SSBO_LINKS);
   counters_.bind();
   grid_.apply(program);
   program.set("ownAxis", ownAxis_ ? 1 : 0);
+  program.set("secondStep", step);
   program.set("rasterResolution", grid_.longestSide());
   rasterizeScene(*api_, program, vertexArray_, scene,
                  {.resolution = grid_.longestSide(), .projections = 1, .verticesPerTriangle = kVerticesPerTriangle},

@@ -39,7 +39,7 @@ class IdentityTracer final : public Tracer {
   void bindStructure() const;
   // Builds the lists that rays have asked for. False where they find no room.
   bool buildRequested(const GpuScene& scene);
-  void rasterizeCandidates(const gl::Program& program, const GpuScene& scene);
+  void rasterizeCandidates(const gl::Program& program, int step, const GpuScene& scene);
   bool makeRoom(std::uint64_t more);
   std::uint64_t capacity() const;
 
@@ -49,9 +49,9 @@ class IdentityTracer final : public Tracer {
   bool ownAxis_, keep_;
   VoxelPass voxelPass_;
   PrefixSum rankSum_, placeSum_;
-  gl::Program cull_, count_, fill_;
+  gl::Program cull_, build_;
   // Made with the first move.
-  gl::Program collectMoved_, occupy_, forget_, renumber_;
+  gl::Program collectMoved_, move_, renumber_;
   std::optional<PrefixSum> compactSum_;
   TracePass tracePass_;
   gl::EmptyVertexArray vertexArray_;
@@ -62,9 +62,10 @@ class IdentityTracer final : public Tracer {
   BuildCounters counters_;
   std::optional<std::uint32_t> geometry_;  // of what is built; none: nothing is
   std::uint32_t lists_ = 0;
-  std::uint64_t used_ = 0;   // entries
-  std::uint64_t stale_ = 0;  // of those, in lists that have been built anew since
-  std::uint64_t lost_ = 0;   // entries that found no room
+  std::uint32_t longest_ = 0;  // entries of the longest list
+  std::uint64_t used_ = 0;     // entries
+  std::uint64_t stale_ = 0;    // of those, in lists that have been built anew since
+  std::uint64_t lost_ = 0;     // entries that found no room
 };
 
 }  // namespace halfsilver
