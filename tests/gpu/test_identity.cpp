@@ -132,9 +132,9 @@ TEST_F(TracingTest, LongListsAreComplete) {
 // Everything in one voxel: rays leave a list half done where the driver's loops end, and go on in the next dispatch.
 TEST_F(TracingTest, ListsBeyondTheLoopLimitAreComplete) {
   const Scene scene = soup(12000);
-  const Frame exact = draw(scene, kAbove, settingsWith({{"trace.method", "exact"}}), 24, 18);
+  const Frame exact = draw(scene, kAbove, settingsWith({{"trace.method", "exact"}}), 60, 45);
   const Frame frame =
-      draw(scene, kAbove, settingsWith({{"voxels.resolution", "1"}, {"voxels.per_triangle", "0"}}), 24, 18);
+      draw(scene, kAbove, settingsWith({{"voxels.resolution", "1"}, {"voxels.per_triangle", "0"}}), 60, 45);
   const HitErrors errors = compareHits(frame, exact, scene.bounds().diagonal());
   EXPECT_GT(errors.rays, 200u);
   EXPECT_EQ(errors.hitError, 0);
