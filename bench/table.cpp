@@ -19,7 +19,10 @@ std::string csvCell(const std::string& cell) {
 
 std::string csvRow(const std::vector<std::string>& cells) {
   std::string row;
-  for (std::size_t i = 0; i < cells.size(); ++i) row += (i ? "," : "") + csvCell(cells[i]);
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    if (i > 0) row += ',';
+    row += csvCell(cells[i]);
+  }
   return row + '\n';
 }
 
