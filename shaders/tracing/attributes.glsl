@@ -16,7 +16,8 @@ uint foundFragment = noFragment;
 struct Sample {
   float t;
   float depth;            // the point's
-  float side;             // < 0: the point lies behind the nearest fragment's surface; 0: no fragment
+  float side;             // metres, < 0: the point lies behind the nearest fragment's surface; 0: no fragment
+  ivec2 texel;
   uint nearest;           // fragment nearest in depth, or noFragment
   float nearestDepth;
   float nearestTriangle;  // ties go to the lower number: the order of a list is the GPU's choice
@@ -37,8 +38,14 @@ bool counts(TraceRay ray, vec3 normal, uint triangle, float t) {
   return t > nearby || dot(normal, ray.direction) <= 0.0;
 }
 
+// Distance (metres) of a point of the ray from the plane of a fragment, which lies in its texel's centre.
+float planeSide(TraceRay ray, int axis, float t, ivec2 texel, float depth, vec3 normal) {
+  vec3 at = vec3((vec2(texel) + 0.5) / float(bufferResolution), depth);
+  return dot(normal / gridInverse, ray.gridOrigin + ray.gridDirection * t - unpermute(at, axis));
+}
+
 Sample sampleAt(TraceRay ray, Slab slab, float t, ivec2 texel, inout int work) {
-  Sample s = Sample(t, permute(ray.gridOrigin + ray.gridDirection * t, slab.axis).z, 0.0, noFragment, 0.0, 0.0);
+  Sample s = Sample(t, permute(ray.gridOrigin + ray.gridDirection * t, slab.axis).z, 0.0, texel, noFragment, 0.0, 0.0);
   PageCursor it = firstEntry(heads[headIndex(slab.axis, texel)]);
   bool going = it.entry != noCursor;
   while (going) {
@@ -52,7 +59,7 @@ Sample sampleAt(TraceRay ray, Slab slab, float t, ivec2 texel, inout int work) {
         s.nearest = it.entry;
         s.nearestDepth = depth;
         s.nearestTriangle = stored.w;
-        s.side = (s.depth - depth) * normal[slab.axis];
+        s.side = planeSide(ray, slab.axis, t, texel, depth, normal);
       }
     }
     nextEntry(it);
@@ -71,21 +78,25 @@ ivec2 texelAt(TraceRay ray, int axis, float t) {
   return clamp(ivec2(floor(p * float(bufferResolution))), ivec2(0), ivec2(bufferResolution - 1));
 }
 
-bool between(float value, float a, float b) { return value >= min(a, b) && value <= max(a, b); }
-
 bool sheet(Sample s) { return doubleSided(triangleAt(uint(s.nearestTriangle)).w); }
 
-// Into a solid the ray goes through a surface that faces it; the backs of single-sided surfaces are invisible.
-bool facing(TraceRay ray, Sample s) {
-  return dot(unpackNormalReflectivity(imageLoad(pool, int(s.nearest) * ENTRY_TEXELS + 1)).xyz, ray.direction) < 0.0;
+vec3 normalOf(uint fragment) {
+  return unpackNormalReflectivity(imageLoad(pool, int(fragment) * ENTRY_TEXELS + 1)).xyz;
 }
+
+// Into a solid the ray goes through a surface that faces it; the backs of single-sided surfaces are invisible.
+bool facing(TraceRay ray, Sample s) { return dot(normalOf(s.nearest), ray.direction) < 0.0; }
 
 // Whether the ray meets a surface between two neighbouring points. Into a solid it goes where the second point is
 // inside, whether or not the wall that it passes left a fragment in this A-buffer: steep walls leave none. A sheet of
-// two sides has no inside: both points must know it, or the depths passed include it; and it is met from behind too.
-bool crossed(TraceRay ray, Sample a, Sample b) {
-  if (a.side >= 0.0 && b.side < 0.0)
-    return sheet(b) ? a.nearest != noFragment || between(b.nearestDepth, a.depth, b.depth) : facing(ray, b);
+// two sides has no inside: where the first point does not know it, that must lie before the plane of what the second
+// sees. A sheet is met from behind too.
+bool crossed(TraceRay ray, int axis, Sample a, Sample b) {
+  if (a.side >= 0.0 && b.side < 0.0) {
+    if (!sheet(b)) return facing(ray, b);
+    if (a.nearest != noFragment) return true;
+    return planeSide(ray, axis, a.t, b.texel, b.nearestDepth, normalOf(b.nearest)) >= 0.0;
+  }
   return a.side < 0.0 && b.side > 0.0 && sheet(b);
 }
 
@@ -94,16 +105,16 @@ void refine(TraceRay ray, Slab slab, Sample a, Sample b, inout Hit best, inout i
   for (int i = 0; i < refinements; ++i) {
     float t = 0.5 * (a.t + b.t);
     Sample middle = sampleAt(ray, slab, t, texelAt(ray, slab.axis, t), work);
-    if (crossed(ray, a, middle))
+    if (crossed(ray, slab.axis, a, middle))
       b = middle;
     else
       a = middle;
   }
-  // Where both sides know the surface, its crossing is where the two height differences meet.
+  // What is left of the stretch is cut by the plane of the fragment behind.
   float t = b.t;
-  if (a.nearest != noFragment && b.nearest != noFragment) {
-    float da = a.depth - a.nearestDepth, db = b.depth - b.nearestDepth;
-    if (da * db < 0.0) t = a.t + (b.t - a.t) * da / (da - db);
+  if (b.nearest != noFragment) {
+    float before = planeSide(ray, slab.axis, a.t, b.texel, b.nearestDepth, normalOf(b.nearest));
+    if (before * b.side < 0.0) t = a.t + (b.t - a.t) * before / (before - b.side);
   }
   uint fragment = b.nearest != noFragment ? b.nearest : a.nearest;
   if (fragment == noFragment || t < ray.least || t >= best.t) return;
@@ -131,7 +142,7 @@ void searchBuffer(TraceRay ray, int axis, float begin, float end, inout Hit best
   for (int i = 1; i <= LINEAR_STEPS; ++i) {
     float t = begin + (end - begin) * float(i) / float(LINEAR_STEPS);
     Sample next = sampleAt(ray, slab, t, texelAt(ray, axis, t), work);
-    when (crossed(ray, last, next)) refine(ray, slab, last, next, best, work);
+    when (crossed(ray, slab.axis, last, next)) refine(ray, slab, last, next, best, work);
     if (best.t < known) break;
     last = next;
   }
@@ -144,7 +155,7 @@ void searchBuffer(TraceRay ray, int axis, float begin, float end, inout Hit best
     // The middle of the texel's stretch; in the last texel its end, so that the whole stretch is looked at.
     float t = leave < end ? 0.5 * (enter + leave) : end;
     Sample next = sampleAt(ray, slab, max(t, last.t), walk.texel, work);
-    when (crossed(ray, last, next)) refine(ray, slab, last, next, best, work);
+    when (crossed(ray, slab.axis, last, next)) refine(ray, slab, last, next, best, work);
     last = next;
     enter = leave;
     going = !cut && best.t >= known && leave < end && stepTexelWalk(walk);

@@ -74,7 +74,7 @@ TEST(BenchMemory, MeasuresOnceAndReports) {
   const auto columns = std::count(line.begin(), line.end(), ',');
   for (const char* column : {"scene", "preset", "pool_reserved", "pool_used", "pool_wasted", "structure_total",
                              "structure_over_hu2014", "structure_over_kastrati2017", "hit_error"})
-    EXPECT_NE(("," + line + ",").find("," + std::string(column) + ","), std::string::npos) << column;
+    EXPECT_NE((',' + line + ',').find(',' + std::string(column) + ','), std::string::npos) << column;
   std::size_t rows = 0;
   for (; std::getline(csv, line); ++rows) EXPECT_EQ(std::count(line.begin(), line.end(), ','), columns) << line;
   EXPECT_EQ(rows, record["points"].size());
