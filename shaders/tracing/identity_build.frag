@@ -4,7 +4,6 @@
 #include "shared/bindings.h"
 #include "shared/structs.h"
 #include "lib/frame.glsl"
-#include "lib/when.glsl"
 #include "lib/scene.glsl"
 #include "tracing/grid.glsl"
 #include "tracing/texel_overlap.glsl"

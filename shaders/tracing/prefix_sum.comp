@@ -18,8 +18,7 @@ uniform uint blockCount;
 #ifdef RANKS
 layout(std430, binding = SSBO_RANKS) writeonly buffer RankBlock { uint ranks[]; };
 uint valueOf(uint item) {
-  uint word = voxelWords[item];
-  return uint(bitCount((word | word >> 1 | word >> 2) & 0x11111111u));
+  return uint(bitCount(occupiedVoxels(voxelWords[item])));
 }
 void store(uint item, uint sum) { ranks[item] = sum; }
 #endif

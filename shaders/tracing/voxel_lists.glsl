@@ -4,9 +4,6 @@
 layout(std430, binding = SSBO_RANKS) readonly buffer RankBlock { uint ranks[]; };  // a word: lists before its voxels
 layout(std430, binding = SSBO_HEADS) coherent buffer HeadBlock { uvec2 heads[]; };  // entries from x to before y
 
-// Bit 0 of each voxel of the word that is occupied.
-uint occupiedVoxels(uint word) { return (word | word >> 1 | word >> 2) & 0x11111111u; }
-
 // Of an occupied voxel.
 uint listOf(ivec3 voxel) {
   uint index = voxelIndex(voxel);

@@ -6,6 +6,9 @@ uint voxelMask(ivec3 voxel) {
   return (voxelWords[index / VOXELS_PER_WORD] >> (VOXEL_BITS * (index % VOXELS_PER_WORD))) & 7u;
 }
 
+// Bit 0 of each voxel of the word that is occupied.
+uint occupiedVoxels(uint word) { return (word | word >> 1 | word >> 2) & 0x11111111u; }
+
 #ifdef VOXEL_WRITE
 void markVoxel(ivec3 voxel, uint mask) {
   uint index = voxelIndex(voxel);
