@@ -49,8 +49,8 @@ struct SelectSettings {
 };
 
 struct VoxelSettings {
-  int resolution = 384;   // voxels along each axis, 1..512; identity: along the longest, at most
-  float perTriangle = 8;  // 0..1000, voxels for each triangle of the scene; 0: `resolution` as it is (identity only)
+  int resolution = 512;   // voxels along each axis, 1..512; identity: along the longest, at most, by fours
+  float perTriangle = 16;  // 0..1000, voxels for each triangle of the scene; 0: `resolution` as it is (identity only)
   VoxelRaster raster = VoxelRaster::conservative;
   AxisRule axis = AxisRule::own;
 

@@ -21,7 +21,7 @@ static_assert(offsetof(GpuMaterial, textures) == 80);
 static_assert(sizeof(GpuLight) == 64 + 6 * 64);
 static_assert(sizeof(Ray) == 48);
 static_assert(sizeof(RayCount) == 32);
-static_assert(sizeof(ListBuild) == 32);
+static_assert(sizeof(ListBuild) == 48);
 static_assert(sizeof(Hit) == 16);
 static_assert(sizeof(HitSurface) == 32);
 static_assert(sizeof(FrameConstants) == 64 + 9 * 16 + 48);

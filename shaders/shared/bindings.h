@@ -23,14 +23,10 @@
 #define SSBO_ENTRIES 12
 #define SSBO_LINKS 13
 #define SSBO_COUNTERS 14
-// Where no page links are: numbers of lists, and what a build of lists needs for a while.
-#define SSBO_RANKS 15
-#define SSBO_REQUESTED 5   // shares the draw list's number: rasterization for the screen and tracing never meet
-#define SSBO_LIST_BUILD 9  // ListBuild; shares the number of surfaces that methods with attributes store
-#define SSBO_OLD_VOXELS 6  // while lists are renumbered, in place of rays, their count and hits
-#define SSBO_OLD_RANKS 7
-#define SSBO_OLD_HEADS 8
-#define SSBO_MOVED_ENTRIES 8  // while lists are moved together, in place of hits
+// What a build of bricks needs for a while.
+#define SSBO_BRICK_BUILDS 5  // shares the draw list's number: rasterization for the screen and tracing never meet
+#define SSBO_LIST_BUILD 9    // ListBuild; shares the number of surfaces that methods with attributes store
+#define SSBO_MOVED_RUNS 8    // while runs are moved together, in place of hits
 // Sums of normals while voxels are made, before there are heads, entries and links.
 #define SSBO_NORMAL_X 11
 #define SSBO_NORMAL_Y 12

@@ -31,13 +31,15 @@
 // Fixed-point scale of the sums of normals in a voxel.
 #define NORMAL_SCALE 4096.0
 
-// Places of lists that are not there: never asked for, and asked for but not built yet.
-#define LIST_MISSING 0xffffffffu
-#define LIST_REQUESTED 0xfffffffeu
+// Voxels along a side of a brick. A brick's state is the place of its run of lists, or one of these.
+#define BRICK_SIDE 4
+#define BRICK_EMPTY 0xffffffffu    // no triangle touches it
+#define BRICK_MISSING 0xfffffffeu  // never asked for
+#define BRICK_CLAIMED 0xfffffffdu  // a ray is about to ask for it
+#define BRICK_REQUESTED 0x80000000u  // + its number among those that rays wait for
 
-// Prefix sums: invocations a group, items an invocation.
+// Prefix sums: invocations a group.
 #define SUM_GROUP 128
-#define SUM_ITEMS 16
 
 // Hit::triangle of a ray that a dispatch left unfinished; Hit::t is where to go on.
 #define UNFINISHED_TRIANGLE 0xfffffffeu

@@ -28,14 +28,17 @@ struct Slab {
   vec2 depths;  // fragments outside do not count
 };
 
-// The triangle's number alone does not keep a ray off the surface that it leaves: the neighbours' depths are known per
-// texel only, so on a curved surface some lie in front of the ray. Near its origin a ray therefore does not see surfaces
-// that face along it, as those of the surface that it leaves do.
-bool counts(TraceRay ray, vec3 normal, uint triangle, float t) {
-  if (triangle == ray.excluded) return false;
+// Near its origin a ray sees the surface that it leaves in other texels than its own, known by one depth each.
+bool near(float t, float voxels) {
   vec3 voxelsPerMetre = vec3(voxelCount) * gridInverse;
-  float nearby = 4.0 / max(voxelsPerMetre.x, max(voxelsPerMetre.y, voxelsPerMetre.z));
-  return t > nearby || dot(normal, ray.direction) <= 0.0;
+  return t * max(voxelsPerMetre.x, max(voxelsPerMetre.y, voxelsPerMetre.z)) <= voxels;
+}
+
+// The triangle's number alone does not keep a ray off the surface that it leaves: on a curved one some neighbours'
+// depths lie in front of the ray. Near its origin it therefore does not see surfaces that face along it, as those of
+// the surface that it leaves do.
+bool counts(TraceRay ray, vec3 normal, uint triangle, float t) {
+  return triangle != ray.excluded && (!near(t, 4.0) || dot(normal, ray.direction) <= 0.0);
 }
 
 // Distance (metres) of a point of the ray from the plane of a fragment, which lies in its texel's centre.
@@ -89,15 +92,15 @@ bool facing(TraceRay ray, Sample s) { return dot(normalOf(s.nearest), ray.direct
 
 // Whether the ray meets a surface between two neighbouring points. Into a solid it goes where the second point is
 // inside, whether or not the wall that it passes left a fragment in this A-buffer: steep walls leave none. A sheet of
-// two sides has no inside: where the first point does not know it, that must lie before the plane of what the second
-// sees. A sheet is met from behind too.
+// two sides has no inside: where the first point does not know it, or may know the surface that the ray leaves, that
+// must lie before the plane of what the second sees. A sheet is met from behind too.
 bool crossed(TraceRay ray, int axis, Sample a, Sample b) {
   if (a.side >= 0.0 && b.side < 0.0) {
     if (!sheet(b)) return facing(ray, b);
-    if (a.nearest != noFragment) return true;
+    if (a.nearest != noFragment && !near(a.t, 1.0)) return true;
     return planeSide(ray, axis, a.t, b.texel, b.nearestDepth, normalOf(b.nearest)) >= 0.0;
   }
-  return a.side < 0.0 && b.side > 0.0 && sheet(b);
+  return a.side < 0.0 && b.side > 0.0 && sheet(b) && !facing(ray, a) && !facing(ray, b);
 }
 
 // Narrows a crossing down; keeps it where it beats `best`.

@@ -1,15 +1,13 @@
 // Search of the identity method: every triangle of the voxels that the ray crosses is tested exactly; the nearest hit
 // wins, equal distances go to the lower number, so the order of a list has no say.
 //
-// Lists are built on demand. A ray that comes to a voxel whose list is missing requests it, and those of the next few
-// voxels on its way, and waits for the next dispatch.
-#include "tracing/voxel_lists.glsl"
-#define REQUEST_ACCESS coherent
-#include "tracing/requested_voxels.glsl"
+// Bricks are built on demand. A ray that comes to a brick that is missing requests it, and the next few on its way, and
+// waits for the next dispatch.
+#define RUN_ACCESS readonly
+#include "tracing/bricks.glsl"
 
-layout(std430, binding = SSBO_ENTRIES) readonly buffer EntryBlock { uint entries[]; };  // triangle numbers
 layout(std430, binding = SSBO_LIST_BUILD) coherent buffer ListBuildBlock { ListBuild listBuild; };
-uniform int lookAhead;  // occupied voxels that a waiting ray requests
+uniform int lookAhead;  // bricks with triangles that a waiting ray requests
 
 void testCandidate(TraceRay ray, uint triangle, inout Hit best) {
   vec3 a, b, c;
@@ -26,26 +24,20 @@ void testCandidate(TraceRay ray, uint triangle, inout Hit best) {
   }
 }
 
-// A list that is there has x <= y; one that is asked for or was never needed has no place yet.
-bool present(uvec2 list) { return list.x < LIST_REQUESTED; }
-
-void requestList(ivec3 voxel) {
-  uint list = listOf(voxel);
-  if (heads[list].x != LIST_MISSING) return;
-  heads[list] = uvec2(LIST_REQUESTED, 0u);  // no entries counted yet; rivals write the same
-  uint index = voxelIndex(voxel), bit = 1u << (index & 31u);
-  if ((atomicOr(requestedWords[index >> 5], bit) & bit) == 0u) atomicAdd(listBuild.requested, 1u);
+void requestBrick(uint brick) {
+  if (atomicCompSwap(bricks[brick], BRICK_MISSING, BRICK_CLAIMED) == BRICK_MISSING)
+    bricks[brick] = BRICK_REQUESTED + atomicAdd(listBuild.requested, 1u);
 }
 
-void requestAhead(TraceRay ray, VoxelWalk walk, float end) {
+void requestAhead(TraceRay ray, ivec3 voxel, float end) {
   int left = lookAhead;
   bool going = true;
   while (going) {
-    if (voxelMask(walk.voxel) != 0u) {
-      requestList(walk.voxel);
-      --left;
-    }
-    going = left > 0 && voxelExit(walk) < end && stepVoxelWalk(ray, walk);
+    uint brick = brickIndex(brickOf(voxel)), state = bricks[brick];
+    if (state != BRICK_EMPTY) --left;
+    when (state == BRICK_MISSING) requestBrick(brick);
+    Cell cell = cellAround(ray, voxel, BRICK_SIDE);
+    going = left > 0 && cellExit(cell) < end && leaveCell(ray, cell, voxel);
   }
 }
 
@@ -57,47 +49,52 @@ bool march(TraceRay ray, inout float t, float end, inout vec2 left, inout Hit be
   if (left.x > 0.0) testCandidate(ray, uint(left.x) - 1u, best);
   bool yielded = false;
   uvec2 list = uvec2(0u);  // what is left of the voxel's candidates
-  VoxelWalk walk = startVoxelWalk(ray, t);
-  float leave = max(t, min(voxelExit(walk), end));
+  uint first = 0u;         // where they begin
+  ivec3 voxel = voxelAt(ray, t);
+  Cell cell = Cell(voxel, 1, vec3(0.0));  // the voxel, or the whole brick where that is empty
+  float leave = t;
   bool going = t < end, entered = false;
   while (going) {
     // On to the next candidate. Walking and testing take turns, so that rays beside each other stay busy.
     while (going && list.x == list.y) {
       if (entered) {
         // A hit behind this voxel may still be beaten by a triangle of the voxels before it.
-        going = best.t > leave && leave < end && stepVoxelWalk(ray, walk);
+        going = best.t > leave && leave < end && leaveCell(ray, cell, voxel);
         if (going) {
           left = vec2(0.0);
           t = leave;
-          leave = max(t, min(voxelExit(walk), end));
           yielded = ++work >= workLimit;
           going = !yielded;
         }
       }
       entered = true;
-      if (going && voxelMask(walk.voxel) != 0u) {
-        list = heads[listOf(walk.voxel)];
-        when (!present(list)) {
-          if (lastDispatch == 0) requestAhead(ray, walk, end);
-          list = uvec2(0u);
+      if (going) {
+        uint run = bricks[brickIndex(brickOf(voxel))];
+        cell = cellAround(ray, voxel, run == BRICK_EMPTY ? BRICK_SIDE : 1);
+        leave = max(t, min(cellExit(cell), end));
+        if (present(run)) {
+          list = listOf(run, voxel);
+          first = list.x;
+          list.x += done;
+          done = 0u;
+        }
+        when (!present(run) && run != BRICK_EMPTY) {
+          if (lastDispatch == 0) requestAhead(ray, voxel, end);
           yielded = true;
           going = false;
         }
-        list.x += going ? done : 0u;
-        done = 0u;
       }
     }
     if (going && list.x != list.y) {
-      testCandidate(ray, entries[list.x], best);
+      testCandidate(ray, runs[list.x], best);
       ++list.x;
       if (++work >= workLimit && list.x != list.y) {
         // From the middle of the voxel's stretch the walk starts in this voxel again, but for the shortest ones, which
         // begin anew: there is no telling where rounding puts them.
         float middle = 0.5 * (t + leave);
-        if (startVoxelWalk(ray, middle).voxel == walk.voxel) {
+        if (voxelAt(ray, middle) == voxel) {
           t = middle;
-          left = vec2(best.t < farAway ? float(best.triangle + 1u) : 0.0,
-                      float(list.x - heads[listOf(walk.voxel)].x));
+          left = vec2(best.t < farAway ? float(best.triangle + 1u) : 0.0, float(list.x - first));
         }
         yielded = true;
         going = false;

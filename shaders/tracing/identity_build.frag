@@ -1,6 +1,6 @@
-// What becomes of the voxels that a candidate touches. In a build it is counted in the lists of requested voxels, then
-// stored there. After a move (MOVE) the voxels are marked, then their lists are given up. Both steps of each are one
-// program, so that they see the same fragments whatever the compiler makes of the arithmetic.
+// What becomes of the voxels that a candidate touches. In a build it is counted in the lists of requested bricks, then
+// stored there: both steps are one program, so that they see the same fragments whatever the compiler makes of the
+// arithmetic. After a move (MOVE; voxels are then whole bricks) bricks are marked and their runs given up.
 #include "shared/bindings.h"
 #include "shared/structs.h"
 #include "lib/frame.glsl"
@@ -11,44 +11,44 @@
 #ifdef MOVE
 #define VOXEL_ACCESS coherent
 #define VOXEL_WRITE
+#define RUN_ACCESS readonly
 #else
 #define VOXEL_ACCESS readonly
+#define RUN_ACCESS
 #endif
 #include "tracing/voxel_store.glsl"
-#include "tracing/voxel_lists.glsl"
-#define REQUEST_ACCESS readonly
-#include "tracing/requested_voxels.glsl"
+#include "tracing/bricks.glsl"
 
-uniform int secondStep;
 #ifdef MOVE
 layout(std430, binding = SSBO_LIST_BUILD) coherent buffer ListBuildBlock { ListBuild listBuild; };
 #else
+#include "tracing/brick_build.glsl"
+uniform int secondStep;
 uniform int ownAxis;
-layout(std430, binding = SSBO_ENTRIES) writeonly buffer EntryBlock { uint entries[]; };
 #endif
 
 layout(location = 0) flat in uint inTriangle;
 layout(location = 1) flat in int inAxis;
 
 #ifdef MOVE
-void visitVoxel(ivec3 voxel) {
-  if (secondStep == 0) {
-    markVoxel(voxel, 1u << uint(inAxis));
-  } else if (voxelMask(voxel) != 0u) {
-    uint list = listOf(voxel), begin = atomicExchange(heads[list].x, LIST_MISSING);
-    if (begin < LIST_REQUESTED) atomicAdd(listBuild.stale, heads[list].y - begin);
-  }
+void visitVoxel(ivec3 brick) {
+  markVoxel(brick, 1u << uint(inAxis));
+  uint run = atomicExchange(bricks[voxelIndex(brick)], BRICK_MISSING);
+  if (!present(run)) return;
+  atomicAdd(listBuild.stale, runWords(run));
+  atomicAdd(listBuild.staleHeaders, headerWords(run));
 }
 #else
 void visitVoxel(ivec3 voxel) {
-  // In the A-buffer of the voxel's axis only; where each triangle is drawn in its own, that is it.
-  bool inPlace = ownAxis == 1 || (voxelMask(voxel) & (1u << uint(inAxis))) != 0u;
+  uint brick = brickIndex(brickOf(voxel)), state = bricks[brick];
+  // In the A-buffer of the brick's axis only; where each triangle is drawn in its own, that is it.
+  bool inPlace = ownAxis == 1 || (voxelMaskAt(brick) & (1u << uint(inAxis))) != 0u;
   ivec2 texel = ivec2(gl_FragCoord.xy);
   if (secondStep == 0) countAt(COUNTER_FRAGMENTS, texel);
-  if (!inPlace || !requested(voxel)) return;
-  uint place = atomicAdd(heads[listOf(voxel)].y, 1u);
+  if (!inPlace || !requested(state)) return;
+  uint place = atomicAdd(builds[state - BRICK_REQUESTED].next[voxelInBrick(voxel)], 1u);
   if (secondStep == 1) {
-    entries[place] = inTriangle;
+    runs[place] = inTriangle;
     countAt(COUNTER_STORED_X + uint(inAxis), texel);
   }
 }

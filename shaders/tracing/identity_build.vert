@@ -1,4 +1,4 @@
-// Conservative rasterization of the candidates for requested voxels.
+// Conservative rasterization of the candidates.
 #define CONSERVATIVE
 #include "shared/bindings.h"
 #include "shared/structs.h"

@@ -1,4 +1,4 @@
-// Collects triangles as an indirect draw: those that may touch a requested voxel, or (MOVED) those with a moved vertex.
+// Collects triangles as an indirect draw: those that may touch a requested brick, or (MOVED) those with a moved vertex.
 // One invocation a triangle.
 #include "shared/bindings.h"
 #include "shared/structs.h"
@@ -6,8 +6,8 @@
 #include "lib/scene.glsl"
 #include "tracing/grid.glsl"
 #ifndef MOVED
-#define REQUEST_ACCESS readonly
-#include "tracing/requested_voxels.glsl"
+#define RUN_ACCESS readonly
+#include "tracing/bricks.glsl"
 #endif
 
 layout(local_size_x = 64) in;
@@ -27,34 +27,23 @@ bool wantedTriangle(uint triangle) {
 }
 #else
 // Larger ones are taken unseen: their fragments are looked at anyway.
-const int mostWords = 4096;
-
-// Whether any voxel of a row is requested; `first` and `last` are numbers of voxels.
-bool requestedBetween(uint first, uint last) {
-  bool found = false;
-  for (uint word = first >> 5; word <= last >> 5 && !found; ++word) {
-    uint mask = 0xffffffffu;
-    if (word == first >> 5) mask &= 0xffffffffu << (first & 31u);
-    if (word == last >> 5) mask &= 0xffffffffu >> (31u - (last & 31u));
-    found = (requestedWords[word] & mask) != 0u;
-  }
-  return found;
-}
+const int mostBricks = 4096;
 
 bool wantedTriangle(uint triangle) {
   vec3 a, b, c;
   trianglePositions(triangle, a, b, c);
-  a = toGrid(a) * vec3(voxelCount);
-  b = toGrid(b) * vec3(voxelCount);
-  c = toGrid(c) * vec3(voxelCount);
+  ivec3 count = voxelCount / BRICK_SIDE;
+  a = toGrid(a) * vec3(count);
+  b = toGrid(b) * vec3(count);
+  c = toGrid(c) * vec3(count);
   // Slack beyond that of the fragments, which decide.
-  ivec3 low = clamp(ivec3(floor(min(a, min(b, c)) - 0.05)), ivec3(0), voxelCount - 1);
-  ivec3 high = clamp(ivec3(floor(max(a, max(b, c)) + 0.05)), ivec3(0), voxelCount - 1);
-  ivec3 size = high - low + 1;
-  bool wanted = float(size.x / 32 + 2) * float(size.y) * float(size.z) > float(mostWords);
+  ivec3 low = clamp(ivec3(floor(min(a, min(b, c)) - 0.05)), ivec3(0), count - 1);
+  ivec3 high = clamp(ivec3(floor(max(a, max(b, c)) + 0.05)), ivec3(0), count - 1);
+  vec3 size = vec3(high - low + 1);
+  bool wanted = size.x * size.y * size.z > float(mostBricks);
   for (int z = low.z; z <= high.z && !wanted; ++z)
     for (int y = low.y; y <= high.y && !wanted; ++y)
-      wanted = requestedBetween(voxelIndex(ivec3(low.x, y, z)), voxelIndex(ivec3(high.x, y, z)));
+      for (int x = low.x; x <= high.x && !wanted; ++x) wanted = requested(bricks[brickIndex(ivec3(x, y, z))]);
   return wanted;
 }
 #endif

@@ -1,13 +1,12 @@
 // Exclusive prefix sums over many items, in three dispatches (Blelloch 1990): sums of blocks (STEP 0), prefix sums of
 // those and the total (STEP 1, one group), then the items' own (STEP 2). What is summed and where the results go:
-// RANKS: occupied voxels of each word of the grid, into their ranks.
-// LISTS: entries of each requested list, into its place behind the entries that are there.
-// COMPACT: entries of each list that is there; moves them together into another buffer.
+// RUNS: words of each requested brick's run, into its place behind the runs that are there, with its header.
+// COMPACT: words of each run that is there; moves them together into another buffer.
 #include "shared/bindings.h"
 #include "shared/structs.h"
 #include "tracing/grid.glsl"
-#define VOXEL_ACCESS readonly
-#include "tracing/voxel_store.glsl"
+#define RUN_ACCESS
+#include "tracing/bricks.glsl"
 
 layout(local_size_x = SUM_GROUP) in;
 layout(std430, binding = SSBO_LINKS) buffer BlockSumBlock { uint blockSums[]; };
@@ -15,37 +14,55 @@ layout(std430, binding = SSBO_LIST_BUILD) buffer ListBuildBlock { ListBuild list
 uniform uint itemCount;
 uniform uint blockCount;
 
-#ifdef RANKS
-layout(std430, binding = SSBO_RANKS) writeonly buffer RankBlock { uint ranks[]; };
+#ifdef RUNS
+#include "tracing/brick_build.glsl"
+uniform uint firstWord;
+const uint voxelsOfBrick = BRICK_SIDE * BRICK_SIDE * BRICK_SIDE;
+
 uint valueOf(uint item) {
-  return uint(bitCount(occupiedVoxels(voxelWords[item])));
+  uint state = bricks[item];
+  if (!requested(state)) return 0u;
+  uint words = 2u;
+  for (uint i = 0u; i < voxelsOfBrick; ++i) {
+    uint count = builds[state - BRICK_REQUESTED].next[i];
+    words += count > 0u ? count + 1u : 0u;
+  }
+  if (words > listBuild.longest) atomicMax(listBuild.longest, words);
+  return words;
 }
-void store(uint item, uint sum) { ranks[item] = sum; }
-#endif
-#if defined(LISTS) || defined(COMPACT)
-layout(std430, binding = SSBO_HEADS) buffer HeadBlock { uvec2 heads[]; };
-#endif
-#ifdef LISTS
-uniform uint firstEntry;
-uint valueOf(uint item) {
-  uint count = heads[item].x == LIST_REQUESTED ? heads[item].y : 0u;
-  if (count > listBuild.longest) atomicMax(listBuild.longest, count);
-  return count;
-}
+
 void store(uint item, uint sum) {
-  // The end grows with every fragment that is stored.
-  if (heads[item].x == LIST_REQUESTED) heads[item] = uvec2(firstEntry + sum);
+  uint state = bricks[item];
+  if (!requested(state)) return;
+  uint build = state - BRICK_REQUESTED, run = firstWord + sum;
+  uvec2 occupied = uvec2(0u);
+  uint ends = run + 2u, list = 0u, end = 0u;
+  for (uint i = 0u; i < voxelsOfBrick; ++i) {
+    uint count = builds[build].next[i];
+    if (count == 0u) continue;
+    occupied[i >> 5] |= 1u << (i & 31u);
+    builds[build].next[i] = end;
+    end += count;
+    runs[ends + list++] = end;
+  }
+  runs[run] = occupied.x;
+  runs[run + 1u] = occupied.y;
+  builds[build].run = run;
+  for (uint i = 0u; i < voxelsOfBrick; ++i) builds[build].next[i] += ends + list;
+  atomicAdd(listBuild.headers, 2u + list);
 }
 #endif
 #ifdef COMPACT
-layout(std430, binding = SSBO_ENTRIES) readonly buffer EntryBlock { uint entries[]; };
-layout(std430, binding = SSBO_MOVED_ENTRIES) writeonly buffer MovedBlock { uint moved[]; };
-uint valueOf(uint item) { return heads[item].x < LIST_REQUESTED ? heads[item].y - heads[item].x : 0u; }
+layout(std430, binding = SSBO_MOVED_RUNS) writeonly buffer MovedBlock { uint moved[]; };
+
+uint valueOf(uint item) { return present(bricks[item]) ? runWords(bricks[item]) : 0u; }
+
 void store(uint item, uint sum) {
-  uvec2 list = heads[item];
-  if (list.x >= LIST_REQUESTED) return;
-  for (uint i = list.x; i < list.y; ++i) moved[sum + i - list.x] = entries[i];
-  heads[item] = uvec2(sum, sum + list.y - list.x);
+  uint run = bricks[item];
+  if (!present(run)) return;
+  uint words = runWords(run);
+  for (uint i = 0u; i < words; ++i) moved[sum + i] = runs[run + i];
+  bricks[item] = sum;
 }
 #endif
 
@@ -80,19 +97,13 @@ void main() {
 #else
   uint block = gl_WorkGroupID.x + gl_WorkGroupID.y * gl_NumWorkGroups.x;
   if (block >= blockCount) return;
-  uint first = block * SUM_GROUP * SUM_ITEMS + lane * SUM_ITEMS;
-  uint own = 0u;
-  for (uint i = first; i < min(first + SUM_ITEMS, itemCount); ++i) own += valueOf(i);
-  uint sum = groupSum(own);
+  uint item = block * SUM_GROUP + lane;
+  uint value = item < itemCount ? valueOf(item) : 0u;
+  uint sum = groupSum(value);
 #if STEP == 0
   if (lane == SUM_GROUP - 1u) blockSums[block] = sum;
 #else
-  uint before = blockSums[block] + sum - own;
-  for (uint i = first; i < min(first + SUM_ITEMS, itemCount); ++i) {
-    uint value = valueOf(i);
-    store(i, before);
-    before += value;
-  }
+  if (item < itemCount) store(item, blockSums[block] + sum - value);
 #endif
 #endif
 }

@@ -1,13 +1,11 @@
 // The packed voxel grid (see shared/tracing.h).
 layout(std430, binding = SSBO_VOXELS) VOXEL_ACCESS buffer VoxelBlock { uint voxelWords[]; };
 
-uint voxelMask(ivec3 voxel) {
-  uint index = voxelIndex(voxel);
+uint voxelMaskAt(uint index) {
   return (voxelWords[index / VOXELS_PER_WORD] >> (VOXEL_BITS * (index % VOXELS_PER_WORD))) & 7u;
 }
 
-// Bit 0 of each voxel of the word that is occupied.
-uint occupiedVoxels(uint word) { return (word | word >> 1 | word >> 2) & 0x11111111u; }
+uint voxelMask(ivec3 voxel) { return voxelMaskAt(voxelIndex(voxel)); }
 
 #ifdef VOXEL_WRITE
 void markVoxel(ivec3 voxel, uint mask) {

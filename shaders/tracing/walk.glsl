@@ -17,6 +17,11 @@ float boundaryAhead(float origin, float direction, int cell, float resolution) {
   return (float(direction > 0.0 ? cell + 1 : cell) / resolution - origin) / direction;
 }
 
+ivec3 voxelAt(TraceRay ray, float t) {
+  vec3 at = (ray.gridOrigin + ray.gridDirection * t) * vec3(voxelCount);
+  return clamp(ivec3(floor(at)), ivec3(0), voxelCount - 1);
+}
+
 struct VoxelWalk {
   ivec3 voxel;
   vec3 leave;  // parameter of the boundary ahead, an axis
@@ -24,8 +29,7 @@ struct VoxelWalk {
 
 VoxelWalk startVoxelWalk(TraceRay ray, float t) {
   VoxelWalk walk;
-  vec3 at = (ray.gridOrigin + ray.gridDirection * t) * vec3(voxelCount);
-  walk.voxel = clamp(ivec3(floor(at)), ivec3(0), voxelCount - 1);
+  walk.voxel = voxelAt(ray, t);
   for (int i = 0; i < 3; ++i)
     walk.leave[i] = boundaryAhead(ray.gridOrigin[i], ray.gridDirection[i], walk.voxel[i], float(voxelCount[i]));
   return walk;
@@ -40,6 +44,36 @@ bool stepVoxelWalk(TraceRay ray, inout VoxelWalk walk) {
   walk.leave[axis] =
       boundaryAhead(ray.gridOrigin[axis], ray.gridDirection[axis], walk.voxel[axis], float(voxelCount[axis]));
   return walk.voxel[axis] >= 0 && walk.voxel[axis] < voxelCount[axis];
+}
+
+// A cube of voxels that the ray goes through in one step; `size` divides the grid. Its boundaries are the outermost
+// voxels' to the bit where `size` is a power of two.
+struct Cell {
+  ivec3 low;
+  int size;
+  vec3 leave;  // parameter of the boundary ahead, an axis
+};
+
+Cell cellAround(TraceRay ray, ivec3 voxel, int size) {
+  Cell cell;
+  ivec3 number = voxel / size;
+  cell.low = number * size;
+  cell.size = size;
+  for (int i = 0; i < 3; ++i)
+    cell.leave[i] =
+        boundaryAhead(ray.gridOrigin[i], ray.gridDirection[i], number[i], float(voxelCount[i]) / float(size));
+  return cell;
+}
+
+float cellExit(Cell cell) { return min(cell.leave.x, min(cell.leave.y, cell.leave.z)); }
+
+// On to the voxel behind the cell; false when the ray leaves the grid.
+bool leaveCell(TraceRay ray, Cell cell, inout ivec3 voxel) {
+  vec3 leave = cell.leave;
+  int axis = leave.x <= leave.y && leave.x <= leave.z ? 0 : (leave.y <= leave.z ? 1 : 2);
+  voxel = clamp(voxelAt(ray, leave[axis]), cell.low, cell.low + cell.size - 1);
+  voxel[axis] = ray.gridDirection[axis] > 0.0 ? cell.low[axis] + cell.size : cell.low[axis] - 1;
+  return voxel[axis] >= 0 && voxel[axis] < voxelCount[axis];
 }
 
 struct TexelWalk {

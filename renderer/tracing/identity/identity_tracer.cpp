@@ -11,22 +11,28 @@
 namespace halfsilver {
 namespace {
 
-constexpr std::uint64_t kEntryBytes = 4;
+constexpr std::uint64_t kWordBytes = 4;
+constexpr std::size_t kBrickBuildWords = 1 + BRICK_SIDE * BRICK_SIDE * BRICK_SIDE;  // BrickBuild
 constexpr int kVerticesPerTriangle = 6;
 
-// Occupied voxels on a waiting ray's way that are built with the one it waits for; doubled each time that rays wait
-// again. Few and many small builds, or fewer builds of lists that nobody needs.
-constexpr int kFirstLookAhead = 8;
+// Bricks on a waiting ray's way that are built with the one it waits for; doubled each time that rays wait again. Few
+// and many small builds, or fewer builds of lists that nobody needs.
+constexpr int kFirstLookAhead = 2;
 constexpr int kMostLookAhead = 4096;
-// Software rasterizers stop long loops: an invocation copies SUM_ITEMS lists.
-constexpr std::uint32_t kLongestSoftwareCopy = 400;
+// Software rasterizers stop long loops; an invocation copies a run.
+constexpr std::uint64_t kLongestSoftwareCopy = 8000;
 // Room beyond what is needed where a pool grows that already holds lists: the next frame will want a little more.
-constexpr double kHeadroom = 1.05;
+constexpr double kHeadroom = 1.03;
 
 gl::Program rasterProgram(const gl::Api& api, bool move) {
   std::vector<gl::Define> defines;
   if (move) defines.push_back({"MOVE"});
   return gl::Program::raster(api, "tracing/identity_build.vert", "tracing/identity_build.frag", defines);
+}
+
+gl::Program finishProgram(const gl::Api& api) {
+  const gl::Define finish[] = {{"FINISH"}};
+  return gl::Program::compute(api, "tracing/brick_states.comp", finish);
 }
 
 TracePass makeTracePass(const gl::Api& api, const Settings& settings) {
@@ -52,10 +58,11 @@ IdentityTracer::IdentityTracer(const gl::Api& api, const Settings& settings)
       ownAxis_(settings.voxels.axis == AxisRule::own),
       keep_(settings.abuffer.keep),
       voxelPass_(api, VoxelRaster::conservative, settings.voxels.axis),
-      rankSum_(api, "RANKS"),
-      placeSum_(api, "LISTS"),
+      placeSum_(api, "RUNS"),
+      setStates_(gl::Program::compute(api, "tracing/brick_states.comp")),
       cull_(gl::Program::compute(api, "tracing/identity_cull.comp")),
       build_(rasterProgram(api, false)),
+      finish_(finishProgram(api)),
       tracePass_(makeTracePass(api, settings)),
       vertexArray_(api),
       counters_(api) {}
@@ -63,27 +70,29 @@ IdentityTracer::IdentityTracer(const gl::Api& api, const Settings& settings)
 void IdentityTracer::build(const GpuScene& scene, const RayQueue&, gl::Profiler& profiler) {
   if (lost_ > 0) geometry_.reset();  // a full pool begins anew
   if (keep_ && geometry_ == scene.geometry) return;
-  const Grid grid = makeCubicGrid(scene.bounds, resolution_, perTriangle_ * static_cast<double>(scene.triangleCount));
-  const bool follows = keep_ && ownAxis_ && geometry_ && *geometry_ + 1 == scene.geometry && grid == grid_;
+  constexpr double kVoxels = BRICK_SIDE * BRICK_SIDE * BRICK_SIDE;
+  const double wanted = perTriangle_ * static_cast<double>(scene.triangleCount) / kVoxels;
+  const Grid bricks = makeCubicGrid(scene.bounds, std::max(1, resolution_ / BRICK_SIDE), wanted);
+  const bool follows = keep_ && ownAxis_ && geometry_ && *geometry_ + 1 == scene.geometry && bricks == brickGrid_;
   geometry_.reset();
-  grid_ = grid;
-  if (!follows) voxelPass_.run(scene, grid_, voxels_, profiler);
+  grid_ = brickGrid_ = bricks;
+  grid_.voxels *= BRICK_SIDE;
+  if (!follows) voxelPass_.run(scene, brickGrid_, voxels_, profiler);
   const auto scope = profiler.section("voxelize");
   if (follows)
     followMove(scene);
   else
-    numberLists();
+    forgetBricks();
   geometry_ = scene.geometry;
 }
 
-// Lists may name triangles that have gone: the exact test sees where they are now. So only voxels that moved triangles
-// have come to matter: they are occupied, and their lists are built anew once a ray asks.
+// Lists may name triangles that have gone: the exact test sees where they are now. So only bricks that moved triangles
+// have come to matter: they are marked, and built anew once a ray asks.
 void IdentityTracer::followMove(const GpuScene& scene) {
   if (!move_) {
     const gl::Define moved[] = {{"MOVED"}};
     collectMoved_ = gl::Program::compute(*api_, "tracing/identity_cull.comp", moved);
     move_ = rasterProgram(*api_, true);
-    renumber_ = gl::Program::compute(*api_, "tracing/identity_renumber.comp");
     compactSum_.emplace(*api_, "COMPACT");
   }
   resize(*api_, candidates_, scene.triangleCount * sizeof(GLuint), "candidates of a build");
@@ -94,21 +103,18 @@ void IdentityTracer::followMove(const GpuScene& scene) {
     collectMoved_.set("firstVertex", static_cast<GLuint>(range.first));
     collectMoved_.set("vertexCount", static_cast<GLuint>(range.count));
     collect(collectMoved_, scene);
-    const gl::Buffer oldWords = copyOf(voxels_.words);
-    rasterizeCandidates(move_, 0, scene);
-    renumber(oldWords);
-    rasterizeCandidates(move_, 1, scene);
-    std::uint32_t stale = 0;
+    rasterizeCandidates(move_, brickGrid_, scene);
+    shared::ListBuild state{};
     api_->MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);  // counts (fragments) are read by the host
-    listBuild_.read(offsetof(shared::ListBuild, stale), &stale, sizeof(stale));
-    stale_ += stale;
+    listBuild_.read(0, &state, sizeof(state));
+    stale_ += state.stale;
+    staleHeaders_ += state.staleHeaders;
   }
   clearListBuild();
-  // Lists that were given up leave their entries behind.
+  // Runs that were given up leave their words behind.
   if (static_cast<double>(used_) <= kHeadroom * static_cast<double>(used_ - stale_)) return;
-  const bool loopsEnd = api_->software && longest_ > kLongestSoftwareCopy;
-  if (loopsEnd)
-    numberLists();
+  if (api_->software && longest_ > kLongestSoftwareCopy)
+    forgetBricks();
   else
     compact();
 }
@@ -116,48 +122,20 @@ void IdentityTracer::followMove(const GpuScene& scene) {
 void IdentityTracer::compact() {
   const std::uint64_t wanted =
       std::min(capacity(), static_cast<std::uint64_t>(kHeadroom * static_cast<double>(used_ - stale_)) + 4);
-  gl::Buffer together(*api_, wanted * kEntryBytes, "A-buffer entries");
+  gl::Buffer together(*api_, wanted * kWordBytes, "A-buffer runs");
   bindStructure();
-  together.bindStorage(SSBO_MOVED_ENTRIES);
-  compactSum_->sum(lists_);
-  compactSum_->place(lists_);
-  entries_ = std::move(together);
+  together.bindStorage(SSBO_MOVED_RUNS);
+  compactSum_->sum(brickCount());
+  compactSum_->place(brickCount());
+  runs_ = std::move(together);
   used_ -= stale_;
-  stale_ = 0;
-}
-
-gl::Buffer IdentityTracer::copyOf(const gl::Buffer& buffer) const {
-  gl::Buffer copy(*api_, buffer.bytes(), "copy");
-  api_->MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);  // what shaders wrote is copied
-  api_->CopyNamedBufferSubData(buffer.name(), copy.name(), 0, 0, static_cast<GLsizeiptr>(buffer.bytes()));
-  return copy;
-}
-
-// After voxels have become occupied: the lists behind them get higher numbers.
-void IdentityTracer::renumber(const gl::Buffer& oldWords) {
-  const auto words = static_cast<std::uint32_t>(voxels_.words.bytes() / sizeof(GLuint));
-  const gl::Buffer oldRanks = copyOf(ranks_);
-  bindStructure();
-  rankSum_.sum(words);
-  std::uint32_t lists = 0;
-  listBuild_.read(offsetof(shared::ListBuild, total), &lists, sizeof(lists));
-  if (lists == lists_) return;
-  rankSum_.place(words);
-  const gl::Buffer oldHeads = std::move(heads_);
-  heads_ = gl::Buffer(*api_, lists * 2 * sizeof(GLuint), "A-buffer heads");
-  lists_ = lists;
-  bindStructure();
-  oldWords.bindStorage(SSBO_OLD_VOXELS);
-  oldRanks.bindStorage(SSBO_OLD_RANKS);
-  oldHeads.bindStorage(SSBO_OLD_HEADS);
-  renumber_.set("wordCount", words);
-  dispatchFor(*api_, renumber_, words);
-  // Heads (renumbering) are written by fragments and read by the trace.
-  api_->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+  headers_ -= staleHeaders_;
+  stale_ = staleHeaders_ = 0;
 }
 
 void IdentityTracer::clearListBuild() {
-  const shared::ListBuild none{0, ownAxis_ ? 1u : 3u, 0, 0, 0, 0, 0, 0};
+  shared::ListBuild none{};
+  none.instanceCount = ownAxis_ ? 1 : 3;
   listBuild_.write(0, &none, sizeof(none));
 }
 
@@ -169,37 +147,24 @@ void IdentityTracer::collect(const gl::Program& program, const GpuScene& scene) 
   api_->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
 }
 
-void IdentityTracer::numberLists() {
-  const auto words = static_cast<std::uint32_t>(voxels_.words.bytes() / sizeof(GLuint));
-  resize(*api_, ranks_, words * sizeof(GLuint), "numbers of lists");
+void IdentityTracer::forgetBricks() {
+  resize(*api_, bricks_, brickCount() * sizeof(GLuint), "A-buffer bricks");
   resize(*api_, listBuild_, sizeof(shared::ListBuild), "build of lists");
-  resize(*api_, requested_, (grid_.voxelCount() + 31) / 32 * sizeof(GLuint), "requested voxels");
+  if (!runs_) resize(*api_, runs_, 0, "A-buffer runs");
   clearListBuild();
-  requested_.fill(0);
   counters_.clear();
-  voxels_.words.bindStorage(SSBO_VOXELS);
-  ranks_.bindStorage(SSBO_RANKS);
-  listBuild_.bindStorage(SSBO_LIST_BUILD);
-  // Clears come before the sums.
-  api_->MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
-  rankSum_.sum(words);
-  rankSum_.place(words);
-  listBuild_.read(offsetof(shared::ListBuild, total), &lists_, sizeof(lists_));
-  resize(*api_, heads_, lists_ * 2 * sizeof(GLuint), "A-buffer heads");
-  heads_.fill(LIST_MISSING);
-  used_ = stale_ = lost_ = 0;
-  longest_ = 0;
-  if (!entries_) resize(*api_, entries_, 0, "A-buffer entries");
-  // Heads (clear) are read and written by the trace.
+  bindStructure();
+  setStates_.set("brickCount", brickCount());
+  dispatchFor(*api_, setStates_, brickCount());
+  used_ = headers_ = stale_ = staleHeaders_ = longest_ = lost_ = 0;
+  // States (compute, clears) are read and written by the trace.
   api_->MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
 void IdentityTracer::bindStructure() const {
   voxels_.words.bindStorage(SSBO_VOXELS);
-  ranks_.bindStorage(SSBO_RANKS);
-  heads_.bindStorage(SSBO_HEADS);
-  entries_.bindStorage(SSBO_ENTRIES);
-  requested_.bindStorage(SSBO_REQUESTED);
+  bricks_.bindStorage(SSBO_HEADS);
+  runs_.bindStorage(SSBO_ENTRIES);
   listBuild_.bindStorage(SSBO_LIST_BUILD);
 }
 
@@ -217,6 +182,8 @@ void IdentityTracer::trace(const GpuScene& scene, const RayQueue& rays, Hits& hi
     bindStructure();
     return more;
   });
+  candidates_ = gl::Buffer();
+  brickBuilds_ = gl::Buffer();
 }
 
 bool IdentityTracer::buildRequested(const GpuScene& scene) {
@@ -229,77 +196,90 @@ bool IdentityTracer::buildRequested(const GpuScene& scene) {
   candidates_.bindStorage(SSBO_LINKS);
   grid_.apply(cull_);
   collect(cull_, scene);
-  rasterizeCandidates(build_, 0, scene);
-  placeSum_.sum(lists_);
+  const std::size_t bytes = state.requested * kBrickBuildWords * kWordBytes;
+  if (brickBuilds_.bytes() < bytes) resize(*api_, brickBuilds_, bytes, "builds of bricks");
+  brickBuilds_.fill(0);
+  api_->MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);  // counts (clear) are added to by fragments
+  brickBuilds_.bindStorage(SSBO_BRICK_BUILDS);
+  build_.set("secondStep", 0);
+  rasterizeCandidates(build_, grid_, scene);
+  placeSum_.sum(brickCount());
   listBuild_.read(0, &state, sizeof(state));
-  longest_ = std::max(longest_, state.longest);
   const bool room = makeRoom(state.total);
   if (room) {
-    placeSum_.placing().set("firstEntry", static_cast<GLuint>(used_));
-    placeSum_.place(lists_);
-    rasterizeCandidates(build_, 1, scene);
+    runs_.bindStorage(SSBO_ENTRIES);
+    placeSum_.placing().set("firstWord", static_cast<GLuint>(used_));
+    placeSum_.place(brickCount());
+    build_.set("secondStep", 1);
+    rasterizeCandidates(build_, grid_, scene);
+    finish_.set("brickCount", brickCount());
+    dispatchFor(*api_, finish_, brickCount());
+    api_->MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);  // counts (sums) are read by the host
+    listBuild_.read(0, &state, sizeof(state));
     used_ += state.total;
+    headers_ += state.headers;
+    longest_ = std::max<std::uint64_t>(longest_, state.longest);
   } else {
-    lost_ += state.total;  // the lists stay requested and missing
+    lost_ += state.total;  // the bricks stay requested
   }
   clearListBuild();
-  requested_.fill(0);
-  // Clears come before the next requests.
+  // Clears and states come before the next requests.
   api_->MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
   return room;
 }
 
-void IdentityTracer::rasterizeCandidates(const gl::Program& program, int step, const GpuScene& scene) {
+void IdentityTracer::rasterizeCandidates(const gl::Program& program, const Grid& raster, const GpuScene& scene) {
   bindStructure();
   candidates_.bindStorage(SSBO_LINKS);
   counters_.bind();
-  grid_.apply(program);
+  raster.apply(program);
   program.set("ownAxis", ownAxis_ ? 1 : 0);
-  program.set("secondStep", step);
-  program.set("rasterResolution", grid_.longestSide());
+  program.set("rasterResolution", raster.longestSide());
   rasterizeScene(*api_, program, vertexArray_, scene,
-                 {.resolution = grid_.longestSide(), .projections = 1, .verticesPerTriangle = kVerticesPerTriangle},
+                 {.resolution = raster.longestSide(), .projections = 1, .verticesPerTriangle = kVerticesPerTriangle},
                  &listBuild_);
-  // Marks, counts, entries and ends of lists (fragments) are read by the sums, the next draw and the trace.
+  // Marks, counts and entries (fragments) are read by the sums, the next draw and the trace.
   api_->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
 bool IdentityTracer::makeRoom(std::uint64_t more) {
   const std::uint64_t needed = used_ + more;
-  const std::uint64_t most = static_cast<std::uint64_t>(api_->limits.storageBlockBytes) / kEntryBytes;
+  // Higher places are states of bricks.
+  const std::uint64_t most =
+      std::min<std::uint64_t>(static_cast<std::uint64_t>(api_->limits.storageBlockBytes) / kWordBytes, BRICK_REQUESTED);
   if (needed > most) return false;
   // A pool of an earlier geometry that is much too large goes, too.
   if (needed <= capacity() && (used_ > 0 || static_cast<double>(capacity()) <= kHeadroom * static_cast<double>(needed)))
     return true;
   if (used_ == 0) {
-    resize(*api_, entries_, needed * kEntryBytes, "A-buffer entries");
+    resize(*api_, runs_, needed * kWordBytes, "A-buffer runs");
     return true;
   }
   const auto wanted = std::min(most, static_cast<std::uint64_t>(kHeadroom * static_cast<double>(needed)));
-  gl::Buffer larger(*api_, wanted * kEntryBytes, "A-buffer entries");
-  // Entries (fragments) are copied.
+  gl::Buffer larger(*api_, wanted * kWordBytes, "A-buffer runs");
+  // Runs (fragments) are copied.
   api_->MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-  api_->CopyNamedBufferSubData(entries_.name(), larger.name(), 0, 0, static_cast<GLsizeiptr>(used_ * kEntryBytes));
-  entries_ = std::move(larger);
+  api_->CopyNamedBufferSubData(runs_.name(), larger.name(), 0, 0, static_cast<GLsizeiptr>(used_ * kWordBytes));
+  runs_ = std::move(larger);
   return true;
 }
 
-std::uint64_t IdentityTracer::capacity() const { return entries_.bytes() / kEntryBytes; }
+std::uint64_t IdentityTracer::capacity() const { return runs_.bytes() / kWordBytes; }
 
 TracerMemory IdentityTracer::memory() const {
   TracerMemory memory;
-  memory.voxels = voxels_.bytes() + ranks_.bytes() + requested_.bytes();
-  memory.heads = heads_.bytes();
   memory.grid = grid_.voxels;
-  memory.poolReserved = entries_.bytes();
-  memory.poolUsed = (used_ - stale_) * kEntryBytes;
-  memory.fragmentsStored = used_ - stale_;
+  memory.voxels = voxels_.bytes() + bricks_.bytes();
+  memory.heads = headers_ * kWordBytes;
+  memory.poolReserved = runs_.bytes() - memory.heads;
+  memory.fragmentsStored = used_ - headers_ - (stale_ - staleHeaders_);
+  memory.poolUsed = memory.fragmentsStored * kWordBytes;
   // These add up over all builds since everything began anew.
   memory.fragments = counters_.sum(COUNTER_FRAGMENTS);
   for (std::uint32_t axis = 0; axis < 3; ++axis) memory.perAxis[axis] = counters_.sum(COUNTER_STORED_X + axis);
-  memory.bytesPerFragment = static_cast<double>(kEntryBytes);
-  memory.structureTotal = memory.voxels + memory.heads + memory.poolReserved + candidates_.bytes() +
-                          listBuild_.bytes() + rankSum_.bytes() + placeSum_.bytes() + counters_.bytes();
+  memory.bytesPerFragment = static_cast<double>(kWordBytes);
+  memory.structureTotal =
+      memory.voxels + memory.heads + memory.poolReserved + listBuild_.bytes() + placeSum_.bytes() + counters_.bytes();
   if (compactSum_) memory.structureTotal += compactSum_->bytes();
   return memory;
 }

@@ -15,10 +15,10 @@ namespace halfsilver {
 // Fragments that name their triangle (4 bytes); the exact ray/triangle test decides. Rasterization is conservative, so
 // no candidate is missing and the result is exact at every resolution.
 //
-// The A-buffers' texels and depths are the voxels', and lists are built on demand: a ray that needs the list of a voxel
-// asks for it and waits. What is asked for is counted, placed and filled in two passes over the triangles that touch
-// it, so the memory reserved is the memory used. Lists stay until triangles move into their voxels
-// (ABufferSettings::keep).
+// The A-buffers' texels and depths are the voxels', and lists are built on demand, a brick of voxels at a time: a ray
+// that needs a brick asks for it and waits. What is asked for is counted, placed and filled in two passes over the
+// triangles that touch it, so the memory reserved is the memory used, and bricks that no ray needs cost a word each.
+// Bricks stay until triangles move into them (ABufferSettings::keep).
 class IdentityTracer final : public Tracer {
  public:
   IdentityTracer(const gl::Api& api, const Settings& settings);
@@ -29,17 +29,16 @@ class IdentityTracer final : public Tracer {
   std::uint64_t lostFragments() const override { return lost_; }
 
  private:
-  void numberLists();
+  void forgetBricks();
   void followMove(const GpuScene& scene);
-  void renumber(const gl::Buffer& oldWords);
   void compact();
-  gl::Buffer copyOf(const gl::Buffer& buffer) const;
   void clearListBuild();
   void collect(const gl::Program& program, const GpuScene& scene);
   void bindStructure() const;
-  // Builds the lists that rays have asked for. False where they find no room.
+  // Builds the bricks that rays have asked for. False where they find no room.
   bool buildRequested(const GpuScene& scene);
-  void rasterizeCandidates(const gl::Program& program, int step, const GpuScene& scene);
+  void rasterizeCandidates(const gl::Program& program, const Grid& raster, const GpuScene& scene);
+  std::uint32_t brickCount() const { return static_cast<std::uint32_t>(brickGrid_.voxelCount()); }
   bool makeRoom(std::uint64_t more);
   std::uint64_t capacity() const;
 
@@ -48,24 +47,27 @@ class IdentityTracer final : public Tracer {
   double perTriangle_;
   bool ownAxis_, keep_;
   VoxelPass voxelPass_;
-  PrefixSum rankSum_, placeSum_;
-  gl::Program cull_, build_;
+  PrefixSum placeSum_;
+  gl::Program setStates_, cull_, build_, finish_;
   // Made with the first move.
-  gl::Program collectMoved_, move_, renumber_;
+  gl::Program collectMoved_, move_;
   std::optional<PrefixSum> compactSum_;
   TracePass tracePass_;
   gl::EmptyVertexArray vertexArray_;
 
-  Grid grid_;
-  Voxels voxels_;
-  gl::Buffer ranks_, heads_, entries_, requested_, listBuild_, candidates_;
+  Grid grid_, brickGrid_;
+  Voxels voxels_;  // of the brick grid
+  gl::Buffer bricks_, runs_, listBuild_;
+  gl::Buffer candidates_, brickBuilds_;  // while a frame builds
   BuildCounters counters_;
   std::optional<std::uint32_t> geometry_;  // of what is built; none: nothing is
-  std::uint32_t lists_ = 0;
-  std::uint32_t longest_ = 0;  // entries of the longest list
-  std::uint64_t used_ = 0;     // entries
-  std::uint64_t stale_ = 0;    // of those, in lists that have been built anew since
-  std::uint64_t lost_ = 0;     // entries that found no room
+  // Words.
+  std::uint64_t used_ = 0;          // in runs
+  std::uint64_t headers_ = 0;       // of those, before the entries
+  std::uint64_t stale_ = 0;         // in runs that were given up
+  std::uint64_t staleHeaders_ = 0;  // of those, before the entries
+  std::uint64_t longest_ = 0;       // of the longest run
+  std::uint64_t lost_ = 0;          // that found no room
 };
 
 }  // namespace halfsilver

@@ -10,10 +10,7 @@ namespace {
 
 constexpr std::uint32_t kMostGroups = 65535;
 
-std::uint32_t blocksOf(std::uint32_t items) {
-  constexpr std::uint32_t kBlock = SUM_GROUP * SUM_ITEMS;
-  return std::max(1u, (items + kBlock - 1) / kBlock);
-}
+std::uint32_t blocksOf(std::uint32_t items) { return std::max(1u, (items + SUM_GROUP - 1) / SUM_GROUP); }
 
 gl::Program step(const gl::Api& api, const char* items, const char* number) {
   const gl::Define defines[] = {{items}, {"STEP", number}};
