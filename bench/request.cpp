@@ -36,11 +36,11 @@ void check(Request& request, const Texts& texts) {
 }  // namespace
 
 void addMode(CLI::App& program, const std::string& name, const std::string& description,
-             std::function<void(const Request&)> run) {
+             std::function<void(const Request&)> run, bool needsScenes) {
   CLI::App* command = program.add_subcommand(name, description);
   const auto shared = std::make_shared<std::pair<Request, Texts>>();
   auto& [request, texts] = *shared;
-  command->add_option("SCENE", request.scenes, ".gltf or .glb files, or builtin:NAME")->required();
+  command->add_option("SCENE", request.scenes, ".gltf or .glb files, or builtin:NAME")->required(needsScenes);
   command->add_option("-o,--output", request.folder, "Folder of the results; what it holds is not measured again")
       ->required();
   command->add_option("--size", texts.size,

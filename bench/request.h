@@ -21,9 +21,10 @@ struct Request {
   CameraRequest camera;              // for one scene; otherwise each scene's own
 };
 
-// Adds a command to the program that checks its options and runs the mode at the end of the parse.
+// Adds a command to the program that checks its options and runs the mode at the end of the parse. Without
+// `needsScenes` the request may name none.
 void addMode(CLI::App& program, const std::string& name, const std::string& description,
-             std::function<void(const Request&)> run);
+             std::function<void(const Request&)> run, bool needsScenes = true);
 
 // How outputs call a scene: "builtin:sphere", or the file's name without its folder.
 std::string sceneName(const std::string& scene);

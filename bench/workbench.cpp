@@ -67,10 +67,18 @@ void Workbench::draw(const BenchScene& scene, RunStatistics& run) {
   }
   run.warmUpFrames = drawFirstFrame(*renderer_, scene.camera, run.settings, target_.target(), run.report);
   // A pool that was sized by a first guess gets the size that the frame before asked for.
+  drawNext(scene, run);
+}
+
+void Workbench::drawNext(const BenchScene& scene, RunStatistics& run) {
   renderer_->render(scene.camera, run.settings, target_.target());
   run.report = renderer_->report();
   run.warnings = run.report.warnings;
   failOnErrors();
+}
+
+void Workbench::moveVertices(const BenchScene& scene, std::span<const VertexRange> ranges) {
+  renderer_->updateVertices(scene.model.scene, ranges);
 }
 
 std::vector<std::byte> Workbench::thumbnail() const {

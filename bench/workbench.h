@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,11 @@ class Workbench {
   // Draws one whole frame; `run` gets its report. The scene must live until the next one. Throws Error (failed) where
   // GL complains.
   void draw(const BenchScene& scene, RunStatistics& run);
+
+  // Draws one more frame of the scene that was drawn last, with whatever room its structures have.
+  void drawNext(const BenchScene& scene, RunStatistics& run);
+  // Of the scene that was drawn last.
+  void moveVertices(const BenchScene& scene, std::span<const VertexRange> ranges);
 
   // Of the last frame.
   Image layers() const { return renderer_->readLayers(); }

@@ -174,6 +174,7 @@ FrameReport Renderer::Impl::report() {
   report.warnings.insert(report.warnings.end(), shadowWarnings.begin(), shadowWarnings.end());
 
   MemoryReport& memory = report.memory;
+  std::uint64_t transient = 0;
   if (tracer) {
     const TracerMemory held = tracer->memory();
     memory.voxels = held.voxels;
@@ -186,6 +187,7 @@ FrameReport Renderer::Impl::report() {
     std::copy(std::begin(held.perAxis), std::end(held.perAxis), std::begin(memory.fragmentsPerAxis));
     memory.bytesPerFragment = held.bytesPerFragment;
     memory.structureTotal = held.structureTotal;
+    transient = held.transient;
     report.lostFragments = tracer->lostFragments();
     report.overflow = count(queues[0]).overflow;
     for (int bounce = 1; bounce < std::min(settings->trace.bounces, 3); ++bounce)
@@ -193,7 +195,7 @@ FrameReport Renderer::Impl::report() {
   }
   memory.gbuffer = gbuffer.bytes();
   memory.peak = bytesOf(scene) + shadows.lights.bytes() + shadows.maps.bytes() + memory.gbuffer + constants.bytes() +
-                memory.structureTotal;
+                memory.structureTotal + transient;
   for (const RayQueue& queue : queues) memory.peak += bytesOf(queue);
   for (const Hits& result : hits) memory.peak += bytesOf(result);
   return report;

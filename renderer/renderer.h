@@ -41,7 +41,7 @@ struct MemoryReport {  // bytes, counts where named so
   double bytesPerFragment = 0;
   std::uint64_t structureTotal = 0;
   std::uint64_t gbuffer = 0;
-  std::uint64_t peak = 0;  // all GPU memory that the renderer holds
+  std::uint64_t peak = 0;  // all GPU memory that the renderer held at once
 };
 
 struct FrameReport {

@@ -1,10 +1,12 @@
 #include "scene/builtin.h"
 
 #include <array>
+#include <optional>
 #include <utility>
 
 #include "core/error.h"
 #include "scene/builtin_parts.h"
+#include "scene/failures.h"
 
 namespace halfsilver {
 namespace {
@@ -30,15 +32,18 @@ std::vector<std::string> builtinNames() {
 
 Model makeBuiltin(std::string_view name) {
   std::string known;
-  for (const Entry& entry : kScenes) {
-    if (entry.name == name) {
-      Model model = entry.make();
-      model.scene.name = "builtin:" + std::string(name);
-      return model;
+  const auto named = [&](const auto& scenes) -> std::optional<Model> {
+    for (const auto& entry : scenes) {
+      if (entry.name == name) return entry.make();
+      known += (known.empty() ? "" : ", ") + std::string(entry.name);
     }
-    known += (known.empty() ? "" : ", ") + std::string(entry.name);
-  }
-  throw Error(ErrorKind::badInput, "builtin:" + std::string(name) + ": no such scene; there are " + known);
+    return {};
+  };
+  std::optional<Model> model = named(kScenes);
+  if (!model) model = named(failureScenes());
+  if (!model) throw Error(ErrorKind::badInput, "builtin:" + std::string(name) + ": no such scene; there are " + known);
+  model->scene.name = "builtin:" + std::string(name);
+  return std::move(*model);
 }
 
 std::uint32_t addMaterial(Scene& scene, Material material) {

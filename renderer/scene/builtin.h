@@ -8,7 +8,7 @@
 
 namespace halfsilver {
 
-// Names of the scenes made in code, without the "builtin:" prefix.
+// Names of the scenes made in code, without the "builtin:" prefix; those that show failures are in failures.h.
 std::vector<std::string> builtinNames();
 
 // The scene, deterministic on every machine. Throws Error (badInput) for an unknown name, listing the known ones.

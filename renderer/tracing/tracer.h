@@ -24,7 +24,8 @@ struct TracerMemory {
   std::uint64_t fragmentsStored = 0;     // count
   std::uint64_t perAxis[3] = {0, 0, 0};  // count: stored in the A-buffer of x, y, z
   double bytesPerFragment = 0;
-  std::uint64_t structureTotal = 0;  // everything that build() keeps or needs
+  std::uint64_t structureTotal = 0;  // everything that is kept
+  std::uint64_t transient = 0;       // beside it, the most at once during the last frame
 };
 
 // A method of tracing rays: one folder under tracing/ each. The interface is all that the rest of the frame knows.

@@ -68,6 +68,7 @@ IdentityTracer::IdentityTracer(const gl::Api& api, const Settings& settings)
       counters_(api) {}
 
 void IdentityTracer::build(const GpuScene& scene, const RayQueue&, gl::Profiler& profiler) {
+  transient_ = 0;
   if (lost_ > 0) geometry_.reset();  // a full pool begins anew
   if (keep_ && geometry_ == scene.geometry) return;
   constexpr double kVoxels = BRICK_SIDE * BRICK_SIDE * BRICK_SIDE;
@@ -123,6 +124,7 @@ void IdentityTracer::compact() {
   const std::uint64_t wanted =
       std::min(capacity(), static_cast<std::uint64_t>(kHeadroom * static_cast<double>(used_ - stale_)) + 4);
   gl::Buffer together(*api_, wanted * kWordBytes, "A-buffer runs");
+  noteTransient(together.bytes());
   bindStructure();
   together.bindStorage(SSBO_MOVED_RUNS);
   compactSum_->sum(brickCount());
@@ -205,6 +207,7 @@ bool IdentityTracer::buildRequested(const GpuScene& scene) {
   rasterizeCandidates(build_, grid_, scene);
   placeSum_.sum(brickCount());
   listBuild_.read(0, &state, sizeof(state));
+  noteTransient(0);
   const bool room = makeRoom(state.total);
   if (room) {
     runs_.bindStorage(SSBO_ENTRIES);
@@ -257,6 +260,7 @@ bool IdentityTracer::makeRoom(std::uint64_t more) {
   }
   const auto wanted = std::min(most, static_cast<std::uint64_t>(kHeadroom * static_cast<double>(needed)));
   gl::Buffer larger(*api_, wanted * kWordBytes, "A-buffer runs");
+  noteTransient(runs_.bytes());
   // Runs (fragments) are copied.
   api_->MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   api_->CopyNamedBufferSubData(runs_.name(), larger.name(), 0, 0, static_cast<GLsizeiptr>(used_ * kWordBytes));
@@ -265,6 +269,11 @@ bool IdentityTracer::makeRoom(std::uint64_t more) {
 }
 
 std::uint64_t IdentityTracer::capacity() const { return runs_.bytes() / kWordBytes; }
+
+// `more`: bytes besides what is kept and what a build needs.
+void IdentityTracer::noteTransient(std::uint64_t more) {
+  transient_ = std::max<std::uint64_t>(transient_, candidates_.bytes() + brickBuilds_.bytes() + more);
+}
 
 TracerMemory IdentityTracer::memory() const {
   TracerMemory memory;
@@ -281,6 +290,7 @@ TracerMemory IdentityTracer::memory() const {
   memory.structureTotal =
       memory.voxels + memory.heads + memory.poolReserved + listBuild_.bytes() + placeSum_.bytes() + counters_.bytes();
   if (compactSum_) memory.structureTotal += compactSum_->bytes();
+  memory.transient = transient_;
   return memory;
 }
 

@@ -41,6 +41,7 @@ class IdentityTracer final : public Tracer {
   std::uint32_t brickCount() const { return static_cast<std::uint32_t>(brickGrid_.voxelCount()); }
   bool makeRoom(std::uint64_t more);
   std::uint64_t capacity() const;
+  void noteTransient(std::uint64_t more);
 
   const gl::Api* api_;
   int resolution_;
@@ -68,6 +69,7 @@ class IdentityTracer final : public Tracer {
   std::uint64_t staleHeaders_ = 0;  // of those, before the entries
   std::uint64_t longest_ = 0;       // of the longest run
   std::uint64_t lost_ = 0;          // that found no room
+  std::uint64_t transient_ = 0;     // bytes, see TracerMemory
 };
 
 }  // namespace halfsilver

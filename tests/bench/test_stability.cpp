@@ -1,0 +1,98 @@
+#include <gtest/gtest.h>
+
+#include "bench/flicker.h"
+#include "bench/stability_report.h"
+
+namespace halfsilver::bench {
+namespace {
+
+// A row of traced pixels of a grey, all hit.
+Image row(int pixels, float grey) {
+  Image image{pixels, 1, {"R", "G", "B", "selected.Y", "hit.T"}, {}};
+  for (int i = 0; i < pixels; ++i) image.data.insert(image.data.end(), {grey, grey, grey, 1, 2});
+  return image;
+}
+
+float& at(Image& image, std::size_t pixel, std::size_t channel) { return image.data[pixel * 5 + channel]; }
+
+TEST(Flicker, WhatTheReferenceDoesIsNoFlicker) {
+  FlickerMeter meter;
+  for (const float grey : {0.2f, 0.7f, 0.1f}) meter.add(row(100, grey), row(100, grey));
+  const Flicker flicker = meter.result();
+  EXPECT_EQ(flicker.pixels, 100u);
+  EXPECT_EQ(flicker.steps, 2u);
+  EXPECT_EQ(flicker.identical, 2u);
+  EXPECT_EQ(flicker.mean, 0);
+  EXPECT_EQ(flicker.percentile99, 0);
+  EXPECT_EQ(flicker.hits, 0);
+}
+
+TEST(Flicker, AConstantErrorIsNoFlicker) {
+  FlickerMeter meter;
+  for (int i = 0; i < 3; ++i) meter.add(row(10, 0.9f), row(10, 0.1f));
+  EXPECT_EQ(meter.result().mean, 0);
+  EXPECT_EQ(meter.result().identical, 2u);
+}
+
+TEST(Flicker, CountsTheExcessOnly) {
+  FlickerMeter meter;
+  meter.add(row(100, 0.0f), row(100, 0.0f));
+  // The scene gets brighter by 0.1; two pixels by 0.6, of which one in green only.
+  Image frame = row(100, 0.1f);
+  for (std::size_t c = 0; c < 3; ++c) at(frame, 3, c) = 0.6f;
+  at(frame, 8, 1) = 0.6f;
+  meter.add(frame, row(100, 0.1f));
+  const Flicker flicker = meter.result();
+  EXPECT_NEAR(flicker.mean, 2 * 0.5 / 100, 1e-6);
+  EXPECT_NEAR(flicker.percentile99, 0.5, 1e-6);
+  EXPECT_EQ(flicker.identical, 0u);
+  EXPECT_EQ(flicker.hits, 0);
+}
+
+TEST(Flicker, DisplaysClip) {
+  FlickerMeter meter;
+  meter.add(row(4, 5.0f), row(4, 1.0f));
+  meter.add(row(4, 9.0f), row(4, 1.0f));
+  EXPECT_EQ(meter.result().mean, 0);
+}
+
+TEST(Flicker, HitsThatComeAndGo) {
+  FlickerMeter meter;
+  Image missed = row(50, 0.5f);
+  at(missed, 7, 4) = -1;
+  meter.add(row(50, 0.5f), row(50, 0.5f));
+  meter.add(missed, row(50, 0.5f));
+  meter.add(missed, missed);  // the reference follows late: not the method's fault
+  EXPECT_NEAR(meter.result().hits, 1.0 / 100, 1e-12);
+}
+
+TEST(Flicker, PixelsThatAreNotTracedDoNotCount) {
+  FlickerMeter meter;
+  Image before = row(2, 0.0f), after = row(2, 1.0f);
+  for (Image* image : {&before, &after}) at(*image, 0, 3) = 0;
+  meter.add(before, before);
+  meter.add(after, before);
+  EXPECT_EQ(meter.result().pixels, 1u);
+  EXPECT_EQ(meter.result().mean, 1);
+}
+
+TEST(Stability, WhoSurvives) {
+  const nlohmann::ordered_json good = {{"worst_hit_error", 0.0005}, {"overflow", 0.0},
+                                       {"lost_fragments", 0},       {"flicker_99", 0.0},
+                                       {"flicker_hits", 0.0},       {"repeats_to_the_bit", true}};
+  EXPECT_TRUE(survives(good));
+  for (const auto& [name, bad] :
+       std::initializer_list<std::pair<const char*, nlohmann::ordered_json>>{{"worst_hit_error", 0.00051},
+                                                                             {"overflow", 1e-6},
+                                                                             {"lost_fragments", 1},
+                                                                             {"flicker_99", 0.001},
+                                                                             {"flicker_hits", 0.0002},
+                                                                             {"repeats_to_the_bit", false}}) {
+    nlohmann::ordered_json point = good;
+    point[name] = bad;
+    EXPECT_FALSE(survives(point)) << name;
+  }
+}
+
+}  // namespace
+}  // namespace halfsilver::bench
