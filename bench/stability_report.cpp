@@ -50,7 +50,7 @@ std::string verdict(const Json& point) {
     if (!faults.empty()) faults += ", ";
     faults += what;
   };
-  fault(point["worst_hit_error"].get<double>() > kMostWrong, percent(point["worst_hit_error"]) + " wrong");
+  fault(point["worst_hit_error"].get<double>() > kMostWrong, "wrong " + percent(point["worst_hit_error"]));
   fault(point["overflow"].get<double>() > 0 || point["lost_fragments"].get<std::uint64_t>() > 0, "overflow");
   fault(point["flicker_99"].get<double>() > 0 || point["flicker_hits"].get<double>() > kMostFlips, "flickers");
   fault(!point["repeats_to_the_bit"].get<bool>(), "does not repeat");

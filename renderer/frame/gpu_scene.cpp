@@ -128,6 +128,7 @@ GpuScene uploadScene(const gl::Api& api, const Scene& scene) {
   gpu.vertexCount = static_cast<std::uint32_t>(scene.vertices.size());
   gpu.triangleCount = static_cast<std::uint32_t>(scene.triangles.size());
   gpu.bounds = scene.bounds();
+  gpu.core = findCore(scene);
 
   const std::size_t vertices = std::max<std::size_t>(1, scene.vertices.size());  // an empty buffer cannot be bound
   gpu.positions = gl::Buffer(api, vertices * 3 * sizeof(float), "positions");
@@ -167,6 +168,7 @@ void updateVertices(GpuScene& gpu, const Scene& scene, std::span<const VertexRan
   }
   if (ranges.empty()) return;
   gpu.bounds = scene.bounds();
+  gpu.core = findCore(scene);
   gpu.moved.assign(ranges.begin(), ranges.end());
   ++gpu.geometry;
 }

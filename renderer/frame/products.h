@@ -10,6 +10,7 @@
 #include "gl/buffer.h"
 #include "gl/framebuffer.h"
 #include "gl/texture.h"
+#include "scene/core.h"
 #include "scene/model.h"
 
 // What the stages of a frame hand on: plain move-only types that own GPU memory. See README.md of this folder.
@@ -31,6 +32,7 @@ struct GpuScene {
   std::uint32_t vertexCount = 0;
   std::uint32_t triangleCount = 0;
   Bounds bounds;
+  SceneCore core;
   std::uint32_t geometry = 0;      // grows with every change of the vertices
   std::vector<VertexRange> moved;  // by the last change
   std::vector<std::string> warnings;

@@ -24,6 +24,7 @@
 #define SSBO_LINKS 13
 #define SSBO_COUNTERS 14
 // What a build of bricks needs for a while.
+#define SSBO_OUTER 13        // while rays are traced, in place of a build's candidates
 #define SSBO_BRICK_BUILDS 5  // shares the draw list's number: rasterization for the screen and tracing never meet
 #define SSBO_LIST_BUILD 9    // ListBuild; shares the number of surfaces that methods with attributes store
 #define SSBO_MOVED_RUNS 8    // while runs are moved together, in place of hits

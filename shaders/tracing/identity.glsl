@@ -6,6 +6,11 @@
 #define RUN_ACCESS readonly
 #include "tracing/bricks.glsl"
 
+// Triangles that reach beyond the grid; every ray tests them.
+layout(std430, binding = SSBO_OUTER) readonly buffer OuterBlock {
+  uint outerCount;
+  uint outer[];
+};
 layout(std430, binding = SSBO_LIST_BUILD) coherent buffer ListBuildBlock { ListBuild listBuild; };
 uniform int lookAhead;  // bricks with triangles that a waiting ray requests
 
@@ -47,6 +52,7 @@ bool march(TraceRay ray, inout float t, float end, inout vec2 left, inout Hit be
   int work = 0;
   uint done = uint(left.y);
   if (left.x > 0.0) testCandidate(ray, uint(left.x) - 1u, best);
+  for (uint i = 0u; i < outerCount; ++i) testCandidate(ray, outer[i], best);
   bool yielded = false;
   uvec2 list = uvec2(0u);  // what is left of the voxel's candidates
   uint first = 0u;         // where they begin

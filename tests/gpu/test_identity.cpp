@@ -81,6 +81,25 @@ TEST_F(TracingTest, LatticesOfThinRodsAreExact) {
   EXPECT_EQ(frame.report.overflow, 0u);
 }
 
+// A ground to the horizon is tested by every ray; the grid is that of what stands on it, and the picture the same.
+TEST_F(TracingTest, TrianglesBeyondTheGridAreHit) {
+  Scene scene = soup(1500);
+  addQuad(scene, {-900, 0.001f, 900}, {900, 0.001f, 900}, {900, 0.001f, 2.5f}, {-900, 0.001f, 2.5f}, 1);
+  addQuad(scene, {-900, 500, -600}, {900, 500, -600}, {900, -1, -500}, {-900, -1, -500}, 1);
+  const auto wall = static_cast<float>(scene.triangles.size() - 1);
+  ASSERT_EQ(scene.triangles[static_cast<std::size_t>(wall)].material, 1u);
+  const Frame exact = draw(scene, kAbove, settingsWith({{"trace.method", "exact"}}), 80, 60);
+  const Frame frame = draw(scene, kAbove, settingsWith({}), 80, 60);
+  const HitErrors errors = compareHits(frame, exact, scene.bounds().diagonal());
+  expectNontrivial(errors, exact);
+  // The tolerance follows the diagonal, so the triangles are compared, too.
+  EXPECT_EQ(errors.hitError, 0);
+  EXPECT_EQ(errors.wrongId, 0);
+  EXPECT_EQ(frame.report.overflow, 0u);
+  const std::vector<float> ids = frame.plane("hit.id");
+  EXPECT_GT(std::count_if(ids.begin(), ids.end(), [&](float id) { return id >= wall - 1 && id <= wall; }), 100);
+}
+
 // Conservative rasterization against a CPU count of the texels that a triangle touches (separating axes in double).
 TEST_F(TracingTest, ConservativeFragmentsCoverWhatTheTriangleTouches) {
   Scene scene;
@@ -144,7 +163,7 @@ TEST_F(LongListTest, ThousandsOfEntriesAreComplete) {
 // dispatch.
 TEST_F(LongListTest, BeyondTheLoopLimitIsComplete) {
   Scene scene = soup(30000);
-  addTriangle(scene, {40, 40, 40}, {40, 39, 40}, {39, 40, 40}, 1);  // stretches the grid
+  addTriangle(scene, {40, 40, 40}, {40, 39.99f, 40}, {39.99f, 40, 40}, 1);  // stretches the grid
   const Frame frame = drawExactly(scene, kAbove, "4", 120, 90);
   EXPECT_EQ(frame.report.memory.fragmentsStored, 30003u);
 }

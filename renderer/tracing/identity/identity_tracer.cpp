@@ -1,6 +1,7 @@
 #include "tracing/identity/identity_tracer.h"
 
 #include <algorithm>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -73,8 +74,11 @@ void IdentityTracer::build(const GpuScene& scene, const RayQueue&, gl::Profiler&
   if (keep_ && geometry_ == scene.geometry) return;
   constexpr double kVoxels = BRICK_SIDE * BRICK_SIDE * BRICK_SIDE;
   const double wanted = perTriangle_ * static_cast<double>(scene.triangleCount) / kVoxels;
-  const Grid bricks = makeCubicGrid(scene.bounds, std::max(1, resolution_ / BRICK_SIDE), wanted);
+  const Grid bricks = makeCubicGrid(scene.core.bounds, std::max(1, resolution_ / BRICK_SIDE), wanted);
   const bool follows = keep_ && ownAxis_ && geometry_ && *geometry_ + 1 == scene.geometry && bricks == brickGrid_;
+  std::vector<GLuint> outer = {static_cast<GLuint>(scene.core.outer.size())};
+  outer.insert(outer.end(), scene.core.outer.begin(), scene.core.outer.end());
+  outer_ = gl::makeBuffer(*api_, std::span<const GLuint>(outer), "triangles beyond the grid");
   geometry_.reset();
   grid_ = brickGrid_ = bricks;
   grid_.voxels *= BRICK_SIDE;
@@ -176,12 +180,14 @@ void IdentityTracer::trace(const GpuScene& scene, const RayQueue& rays, Hits& hi
   int lookAhead = kFirstLookAhead;
   program.set("lookAhead", lookAhead);
   bindStructure();
+  outer_.bindStorage(SSBO_OUTER);
   tracePass_.run(rays, hits, profiler, [&] {
     const auto scope = profiler.section("build");
     lookAhead = std::min(2 * lookAhead, kMostLookAhead);
     program.set("lookAhead", lookAhead);
     const bool more = buildRequested(scene);
     bindStructure();
+    outer_.bindStorage(SSBO_OUTER);
     return more;
   });
   candidates_ = gl::Buffer();
@@ -287,8 +293,8 @@ TracerMemory IdentityTracer::memory() const {
   memory.fragments = counters_.sum(COUNTER_FRAGMENTS);
   for (std::uint32_t axis = 0; axis < 3; ++axis) memory.perAxis[axis] = counters_.sum(COUNTER_STORED_X + axis);
   memory.bytesPerFragment = static_cast<double>(kWordBytes);
-  memory.structureTotal =
-      memory.voxels + memory.heads + memory.poolReserved + listBuild_.bytes() + placeSum_.bytes() + counters_.bytes();
+  memory.structureTotal = memory.voxels + memory.heads + memory.poolReserved + outer_.bytes() + listBuild_.bytes() +
+                          placeSum_.bytes() + counters_.bytes();
   if (compactSum_) memory.structureTotal += compactSum_->bytes();
   memory.transient = transient_;
   return memory;

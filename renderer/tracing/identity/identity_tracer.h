@@ -59,6 +59,7 @@ class IdentityTracer final : public Tracer {
   Grid grid_, brickGrid_;
   Voxels voxels_;  // of the brick grid
   gl::Buffer bricks_, runs_, listBuild_;
+  gl::Buffer outer_;                     // triangles that reach beyond the grid: their count, then their numbers
   gl::Buffer candidates_, brickBuilds_;  // while a frame builds
   BuildCounters counters_;
   std::optional<std::uint32_t> geometry_;  // of what is built; none: nothing is

@@ -1,0 +1,64 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "scene/builtin.h"
+#include "scene/core.h"
+
+namespace halfsilver {
+namespace {
+
+void addTriangle(Scene& scene, const glm::vec3& at, float size) {
+  const auto first = static_cast<std::uint32_t>(scene.vertices.size());
+  for (const glm::vec3& corner : {glm::vec3(0), glm::vec3(size, 0, 0), glm::vec3(0, 0, size)}) {
+    Vertex vertex;
+    vertex.position = at + corner;
+    scene.vertices.push_back(vertex);
+  }
+  scene.triangles.push_back({{first, first + 1, first + 2}, 0});
+}
+
+Scene row(int triangles) {
+  Scene scene;
+  for (int i = 0; i < triangles; ++i) addTriangle(scene, {0.1f * static_cast<float>(i), 0, 0}, 0.05f);
+  return scene;
+}
+
+TEST(SceneCore, AGroundToTheHorizonIsOuter) {
+  Scene scene = row(100);
+  addTriangle(scene, {-500, 0, -500}, 1000);
+  addTriangle(scene, {2, 0, 0.01f}, 1);  // large, too, but inside
+  const SceneCore core = findCore(scene);
+  EXPECT_EQ(core.outer, std::vector<std::uint32_t>({100, 101}));
+  EXPECT_FLOAT_EQ(core.bounds.low.x, 0);
+  EXPECT_FLOAT_EQ(core.bounds.high.x, 9.95f);
+  EXPECT_FLOAT_EQ(core.bounds.high.z, 0.05f);
+}
+
+TEST(SceneCore, MoreLargeTrianglesThanMayBeOuterStay) {
+  Scene scene = row(100);
+  for (std::size_t i = 0; i <= kMostOuterTriangles; ++i) addTriangle(scene, {-500, 0, -500}, 1000);
+  const SceneCore core = findCore(scene);
+  EXPECT_TRUE(core.outer.empty());
+  EXPECT_FLOAT_EQ(core.bounds.low.x, -500);
+}
+
+TEST(SceneCore, OrdinaryScenesAreWhole) {
+  for (const char* name : {"sphere", "teapot", "atrium"}) {
+    const Model model = makeBuiltin(name);
+    const SceneCore core = findCore(model.scene);
+    EXPECT_TRUE(core.outer.empty()) << name;
+    EXPECT_EQ(core.bounds.low, model.scene.bounds().low) << name;
+    EXPECT_EQ(core.bounds.high, model.scene.bounds().high) << name;
+  }
+}
+
+TEST(SceneCore, FewTrianglesAreWhole) {
+  EXPECT_TRUE(findCore(Scene{}).bounds.empty());
+  const Scene scene = row(3);
+  EXPECT_TRUE(findCore(scene).outer.empty());
+  EXPECT_EQ(findCore(scene).bounds.high, scene.bounds().high);
+}
+
+}  // namespace
+}  // namespace halfsilver
