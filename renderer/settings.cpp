@@ -17,6 +17,7 @@ struct Choices;  // names in the order of the enumerators
     static std::vector<std::string> names() { return {__VA_ARGS__}; } \
   };
 HALFSILVER_CHOICES(SelectMode, "none", "reflective", "all")
+HALFSILVER_CHOICES(SelectPattern, "scattered", "region")
 HALFSILVER_CHOICES(VoxelRaster, "voxel", "abuffer", "conservative")
 HALFSILVER_CHOICES(AxisRule, "normal", "area", "own")
 HALFSILVER_CHOICES(Buffers, "single", "three")
@@ -32,6 +33,7 @@ void visitAll(S& s, Visitor&& visit) {
   visit("scene.cull_back_faces", s.scene.cullBackFaces, 0, 1, "single-sided materials are invisible from behind");
   visit("select.mode", s.select.mode, 0, 0, "which pixels are traced");
   visit("select.fraction", s.select.fraction, 0, 1, "share of the selected pixels that is kept");
+  visit("select.pattern", s.select.pattern, 0, 0, "where the pixels that are kept lie on the screen");
   visit("select.max_roughness", s.select.maxRoughness, 0, 1, "reflectivity fades to 0 at this roughness");
   visit("select.min_reflectivity", s.select.minReflectivity, 0, 1, "pixels at or below are not selected");
   visit("voxels.resolution", s.voxels.resolution, 1, 512, "voxels along each axis (identity: at most)");

@@ -11,6 +11,10 @@
 namespace halfsilver {
 
 enum class SelectMode { none, reflective, all };
+enum class SelectPattern {
+  scattered,  // evenly over the screen
+  region      // in a rectangle of the screen's shape around its centre
+};
 enum class VoxelRaster {
   voxel,        // rasterized at voxel resolution, as the papers' separate pass would
   abuffer,      // at A-buffer resolution
@@ -41,7 +45,8 @@ struct SceneSettings {
 
 struct SelectSettings {
   SelectMode mode = SelectMode::reflective;
-  float fraction = 1.0f;      // 0..1, share of the selected pixels that is kept, scattered evenly
+  float fraction = 1.0f;  // 0..1, share of the selected pixels that is kept; region: of the screen
+  SelectPattern pattern = SelectPattern::scattered;
   float maxRoughness = 0.4f;  // 0..1, reflectivity fades from 1 at roughness 0 to 0 here
   float minReflectivity = 0;  // 0..1, pixels at or below are not selected
 
@@ -49,7 +54,7 @@ struct SelectSettings {
 };
 
 struct VoxelSettings {
-  int resolution = 512;   // voxels along each axis, 1..512; identity: along the longest, at most, by fours
+  int resolution = 512;    // voxels along each axis, 1..512; identity: along the longest, at most, by fours
   float perTriangle = 16;  // 0..1000, voxels for each triangle of the scene; 0: `resolution` as it is (identity only)
   VoxelRaster raster = VoxelRaster::conservative;
   AxisRule axis = AxisRule::own;

@@ -91,6 +91,7 @@ shared::FrameConstants makeFrameConstants(const Camera& camera, const Bounds& bo
   frame.exposure = std::exp2(settings.image.exposure);
   frame.selectMode = static_cast<std::uint32_t>(settings.select.mode);
   frame.toneMap = settings.image.toneMap == ToneMap::filmic ? 0 : 1;
+  frame.selectPattern = static_cast<std::uint32_t>(settings.select.pattern);
   frame.bounces = static_cast<std::uint32_t>(settings.trace.bounces);
   return frame;
 }

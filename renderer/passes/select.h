@@ -7,7 +7,7 @@
 namespace halfsilver {
 
 // Pixels whose reflection is traced: all with a surface, or those that reflect more than a threshold, or none, thinned
-// to an evenly scattered fraction (FrameConstants). The count stays on the GPU.
+// to a fraction that is scattered evenly or lies around the centre (FrameConstants). The count stays on the GPU.
 class SelectPass {
  public:
   explicit SelectPass(const gl::Api& api);

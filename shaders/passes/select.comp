@@ -14,16 +14,26 @@ shared uint keptMask[2];
 shared uint firstRay;
 
 const uint SELECT_ALL = 2u;
+const uint PATTERN_REGION = 1u;
 
-// A threshold of the ordered dither of 256 x 256 pixels (Bayer 1973): every value occurs once in a tile and the pixels
-// below any value are spread evenly, so that smaller fractions are parts of larger ones.
-float threshold(uvec2 pixel) {
+// A pixel is kept by fractions above its threshold, so that smaller fractions are parts of larger ones.
+
+// The ordered dither of 256 x 256 pixels (Bayer 1973): every value occurs once in a tile and the pixels below any value
+// are spread evenly.
+float scatteredThreshold(uvec2 pixel) {
   uint rank = 0u;
   for (uint bit = 0u; bit < 8u; ++bit) {
     uint x = (pixel.x >> bit) & 1u, y = (pixel.y >> bit) & 1u;
     rank |= ((x ^ y) << 1u | y) << (2u * (7u - bit));
   }
   return (float(rank) + 0.5) / 65536.0;
+}
+
+// The share of the screen that the rectangle of the screen's shape around its centre takes when it reaches the pixel.
+float regionThreshold(ivec2 pixel) {
+  vec2 fromCentre = abs(screenPosition(pixel));
+  float side = max(fromCentre.x, fromCentre.y);
+  return side * side;
 }
 
 void main() {
@@ -43,7 +53,9 @@ void main() {
     bool reflects = frame.selectMode == SELECT_ALL || normal.w > frame.minReflectivity;
     selected = frame.selectMode != 0u && position.w > 0.0 && reflects;
   }
-  bool kept = selected && threshold(uvec2(pixel)) < frame.selectFraction;
+  float threshold =
+      frame.selectPattern == PATTERN_REGION ? regionThreshold(pixel) : scatteredThreshold(uvec2(pixel));
+  bool kept = selected && threshold < frame.selectFraction;
   uint word = lane >> 5, bit = 1u << (lane & 31u);
   if (selected) atomicOr(selectedMask[word], bit);
   if (kept) atomicOr(keptMask[word], bit);

@@ -145,7 +145,7 @@ struct FrameConstants {
   uint selectMode;  // 0 none, 1 reflective, 2 all
   uint toneMap;     // 0 filmic, 1 none
   uint bounces;
-  uint padding;
+  uint selectPattern;  // 0 scattered, 1 region
 };
 
 #endif

@@ -37,6 +37,15 @@ class SelectTest : public testing::ContextTest {
     return scene;
   }
 
+  // All of the screen.
+  static Scene mirrorWall() {
+    Scene scene;
+    scene.materials.resize(1);
+    scene.materials[0].mirror = 1.0f;
+    addQuad(scene, {-9, -9, -3}, {9, -9, -3}, {9, 9, -3}, {-9, 9, -3}, 0);
+    return scene;
+  }
+
   Selection select(const Scene& scene, const Settings& settings, int width, int height) {
     const GpuScene gpu = uploadScene(api, scene);
     Camera camera;
@@ -119,10 +128,7 @@ TEST_F(SelectTest, Modes) {
 }
 
 TEST_F(SelectTest, FractionsAreExactNestedAndEven) {
-  Scene scene;
-  scene.materials.resize(1);
-  scene.materials[0].mirror = 1.0f;
-  addQuad(scene, {-9, -9, -3}, {9, -9, -3}, {9, 9, -3}, {-9, 9, -3}, 0);
+  const Scene scene = mirrorWall();
   const int width = 150, height = 130;
   const double pixels = width * height;
   std::vector<std::uint32_t> smaller;
@@ -141,6 +147,39 @@ TEST_F(SelectTest, FractionsAreExactNestedAndEven) {
     smaller = selection.pixels;
   }
   EXPECT_EQ(smaller.size(), static_cast<std::size_t>(pixels));
+}
+
+TEST_F(SelectTest, RegionsAreNestedRectanglesAroundTheCentre) {
+  const Scene scene = mirrorWall();
+  const int width = 150, height = 131;
+  std::vector<std::uint32_t> smaller;
+  for (const float fraction : {0.0f, 0.001f, 0.05f, 0.25f, 0.5f, 0.77f, 1.0f}) {
+    SCOPED_TRACE(fraction);
+    Settings settings;
+    settings.select.pattern = SelectPattern::region;
+    settings.select.fraction = fraction;
+    const Selection selection = select(scene, settings, width, height);
+    EXPECT_TRUE(std::includes(selection.pixels.begin(), selection.pixels.end(), smaller.begin(), smaller.end()));
+    smaller = selection.pixels;
+    if (fraction == 0) {
+      EXPECT_TRUE(selection.pixels.empty());
+      continue;
+    }
+    ASSERT_FALSE(selection.pixels.empty());
+    int left = width, right = -1, bottom = height, top = -1;
+    for (const std::uint32_t pixel : selection.pixels) {
+      const int x = static_cast<int>(pixel) % width, y = static_cast<int>(pixel) / width;
+      left = std::min(left, x), right = std::max(right, x), bottom = std::min(bottom, y), top = std::max(top, y);
+    }
+    const int columns = right - left + 1, rows = top - bottom + 1;
+    // No pixel of the rectangle is missing.
+    EXPECT_EQ(selection.pixels.size(), static_cast<std::size_t>(columns * rows));
+    EXPECT_EQ(left, width - 1 - right);
+    EXPECT_EQ(bottom, height - 1 - top);
+    EXPECT_NEAR(columns, std::sqrt(fraction) * width, 1.001);
+    EXPECT_NEAR(rows, std::sqrt(fraction) * height, 1.001);
+  }
+  EXPECT_EQ(smaller.size(), static_cast<std::size_t>(width * height));
 }
 
 TEST_F(SelectTest, LargeQueuesStayBelowTheDispatchLimit) {
