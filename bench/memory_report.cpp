@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstdint>
-#include <cstdio>
 
 #include "bench/page.h"
 
@@ -19,36 +18,22 @@ struct PaperRow {
 constexpr std::array<PaperRow, 3> kPaper{
     {{"sphere", 182.37, 65.46}, {"teapot", 210.18, 71.85}, {"Sponza", 1079.55, 380.74}}};
 
-std::string number(double value, int digits) {
-  char text[64];
-  std::snprintf(text, sizeof(text), "%.*f", digits, value);
-  return text;
-}
-
-std::string percent(double share, int digits = 1) { return number(100 * share, digits) + " %"; }
-
-std::string sceneOf(const Json& point) { return point["scene"]["file"].get<std::string>(); }
-std::string presetOf(const Json& point) { return point["preset"].get<std::string>(); }
-
-double memory(const Json& point, const char* name) { return point["memory"][name].get<double>(); }
 double wasted(const Json& point) { return memory(point, "pool_reserved") - memory(point, "pool_used"); }
 double aBuffer(const Json& point) { return memory(point, "heads") + memory(point, "pool_reserved"); }
 // Of methods without a grid (Embree's tree) and what no other name fits.
 double other(const Json& point) { return memory(point, "structure_total") - memory(point, "voxels") - aBuffer(point); }
 
-std::string megabytes(double bytes) { return number(bytes / 1e6, bytes < 1e7 ? 2 : 1); }
-
 double ratio(double a, double b) { return b > 0 ? a / b : 0; }
 
 std::string share(double part, double whole) { return whole > 0 ? percent(part / whole) : ""; }
 
-const Json* find(const MemoryPoints& points, const std::string& scene, const std::string& preset) {
+const Json* find(const PointList& points, const std::string& scene, const std::string& preset) {
   for (const Json& point : points)
     if (sceneOf(point) == scene && presetOf(point) == preset) return &point;
   return nullptr;
 }
 
-double structureOf(const MemoryPoints& points, const std::string& scene, const std::string& preset) {
+double structureOf(const PointList& points, const std::string& scene, const std::string& preset) {
   const Json* point = find(points, scene, preset);
   return point ? memory(*point, "structure_total") : 0;
 }
@@ -65,7 +50,7 @@ std::string cells(const Json& point) {
   return text;
 }
 
-Table memoryTable(const MemoryPoints& points) {
+Table memoryTable(const PointList& points) {
   Table table{{"Scene", "Method", "Voxels, texels", "Structure", "of hu2014", "of kastrati2017", "Voxel grid",
                "List heads", "Pool used", "Pool wasted", "wasted share", "G-buffer", "Peak", "Wrong hits"},
               {}};
@@ -82,7 +67,7 @@ Table memoryTable(const MemoryPoints& points) {
   return table;
 }
 
-Table fragmentTable(const MemoryPoints& points) {
+Table fragmentTable(const PointList& points) {
   Table table{{"Scene", "Method", "Bytes a fragment", "Made", "Stored", "in x", "in y", "in z", "Stored of made"}, {}};
   for (const Json& point : points) {
     const Json& held = point["memory"];
@@ -96,7 +81,7 @@ Table fragmentTable(const MemoryPoints& points) {
 }
 
 // The paper's claim and ours beside it: three A-buffers against one.
-Table claimTable(const MemoryPoints& points) {
+Table claimTable(const PointList& points) {
   Table table{
       {"What", "Three A-buffers", "One A-buffer", "Saved", "Fragments: one of three", "foretold by the normals"}, {}};
   for (const PaperRow& row : kPaper)
@@ -174,28 +159,9 @@ constexpr const char* kDifferences =
     "scene, "
     "and only in those that a ray asks for.</li>\n</ul>\n";
 
-std::string about(const Json& point) {
-  const Json& device = point["device"];
-  const std::string size = point["size"][0].dump() + " x " + point["size"][1].dump();
-  return "Measured with Halfsilver " + point["version"].get<std::string>() + " on " +
-         device["renderer"].get<std::string>() + " (" + device["version"].get<std::string>() + ", " +
-         device["context"].get<std::string>() + "), pictures of " + size + " pixels. All sizes are in MB, 10^6 bytes.";
-}
-
-std::string sceneCaption(const MemoryPoints& points, const std::string& scene) {
-  for (const Json& point : points)
-    if (sceneOf(point) == scene) {
-      std::string caption = scene + ", " + point["scene"]["triangles"].dump() + " triangles, " +
-                            percent(point["pixels"]["coverage"].get<double>()) + " of the pixels reflect";
-      for (const Json& mirror : point["scene"]["mirrors"]) caption += ", mirror " + mirror.get<std::string>();
-      return caption;
-    }
-  return scene;
-}
-
 }  // namespace
 
-Table memoryCsv(const MemoryPoints& points) {
+Table memoryCsv(const PointList& points) {
   constexpr const char* counts[] = {
       "voxels",           "heads",           "pool_reserved", "pool_used", "bytes_per_fragment", "fragments",
       "fragments_stored", "structure_total", "gbuffer",       "peak"};
@@ -233,7 +199,7 @@ Table memoryCsv(const MemoryPoints& points) {
   return table;
 }
 
-Table memorySummary(const MemoryPoints& points) {
+Table memorySummary(const PointList& points) {
   Table table{{"scene", "method", "structure MB", "pool wasted", "stored of made", "wrong hits"}, {}};
   for (const Json& point : points)
     table.rows.push_back({sceneOf(point), presetOf(point), megabytes(memory(point, "structure_total")),
@@ -242,7 +208,7 @@ Table memorySummary(const MemoryPoints& points) {
   return table;
 }
 
-StackedBars memoryChart(const MemoryPoints& points) {
+StackedBars memoryChart(const PointList& points) {
   StackedBars chart{"Memory of the ray-tracing structure, by scene and method",
                     "MB (logarithmic)",
                     {"voxel grid", "list heads", "pool, used", "pool, wasted", "other"},
@@ -257,20 +223,17 @@ StackedBars memoryChart(const MemoryPoints& points) {
   return chart;
 }
 
-std::string memoryPage(const MemoryPoints& points, const std::vector<ScenePicture>& scenes,
+std::string memoryPage(const PointList& points, const std::vector<ScenePicture>& scenes,
                        const std::optional<std::string>& svg) {
-  std::string body = kIntroduction + paragraph(about(points.front())) + "<div class=\"scenes\">\n";
-  for (const ScenePicture& scene : scenes)
-    if (!scene.png.empty()) body += thumbnail(scene.png, sceneCaption(points, scene.name));
-  body += "</div>\n" + heading("Structures side by side");
-  if (svg)
-    body += inlineSvg(*svg) +
-            paragraph(
-                "The axis is logarithmic: compare the tops of the bars. A part's height shows what it adds to those "
-                "below it as a factor, not as an amount. Other: what a build needs besides, and the reference's "
-                "tree on the CPU.");
-  else
-    body += paragraph("gnuplot was not installed where this page was made: the chart is missing.");
+  const auto coverage = [](const Json& point) {
+    return std::string(", ") + percent(point["pixels"]["coverage"].get<double>()) + " of the pixels reflect";
+  };
+  std::string body = kIntroduction + paragraph(measuredWith(points.front())) + gallery(scenes, points, coverage);
+  body += heading("Structures side by side") +
+          chartFigure(svg,
+                      "The axis is logarithmic: compare the tops of the bars. A part's height shows what it adds to "
+                      "those below it as a factor, not as an amount. Other: what a build needs besides, and the "
+                      "reference's tree on the CPU.");
   body += kMethods + heading("Memory") + toHtml(memoryTable(points)) +
           paragraph(
               "Wrong hits: the share of the rays that hit where the reference misses, miss where it hits, or hit "

@@ -31,16 +31,19 @@ void check(Request& request, const Texts& texts) {
   std::set<std::string> names;
   for (const std::string& scene : request.scenes)
     if (!names.insert(sceneName(scene)).second) reject("two scenes have the name " + sceneName(scene));
+  names.clear();
+  for (const std::string& preset : request.presets)
+    if (!names.insert(preset).second) reject("--preset " + preset + " is there twice");
 }
 
 }  // namespace
 
 void addMode(CLI::App& program, const std::string& name, const std::string& description,
-             std::function<void(const Request&)> run, bool needsScenes) {
+             std::function<void(const Request&)> run, const std::function<void(CLI::App&, Request&)>& addOptions) {
   CLI::App* command = program.add_subcommand(name, description);
   const auto shared = std::make_shared<std::pair<Request, Texts>>();
   auto& [request, texts] = *shared;
-  command->add_option("SCENE", request.scenes, ".gltf or .glb files, or builtin:NAME")->required(needsScenes);
+  command->add_option("SCENE", request.scenes, ".gltf or .glb files, or builtin:NAME")->required();
   command->add_option("-o,--output", request.folder, "Folder of the results; what it holds is not measured again")
       ->required();
   command->add_option("--size", texts.size,
@@ -55,10 +58,18 @@ void addMode(CLI::App& program, const std::string& name, const std::string& desc
   command->add_option("--eye", texts.eye, "X,Y,Z of a camera of your own, world coordinates; with --target");
   command->add_option("--target", texts.target, "X,Y,Z that it looks at");
   command->add_option("--fov", request.camera.fov, "Vertical field of view in degrees");
+  if (addOptions) addOptions(*command, request);
   command->callback([shared, run = std::move(run)] {
     check(shared->first, shared->second);
     run(shared->first);
   });
+}
+
+void addPresetOption(CLI::App& command, Request& request) {
+  request.presets = {kDefaultPreset};
+  command.add_option("--preset", request.presets, "A preset to measure, repeatable (see: halfsilver presets)")
+      ->allow_extra_args(false)
+      ->capture_default_str();
 }
 
 std::string sceneName(const std::string& scene) {

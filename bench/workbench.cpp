@@ -7,11 +7,13 @@
 #include "apps/drawing.h"
 #include "core/error.h"
 #include "io/images.h"
+#include "io/settings_file.h"
 
 namespace halfsilver::bench {
 namespace {
 
-constexpr int kThumbnail = 480;  // pixels
+constexpr int kThumbnail = 480;              // pixels
+constexpr std::size_t kLargeScene = 150000;  // triangles; the papers' large one is Sponza with 262,000
 
 }  // namespace
 
@@ -31,6 +33,15 @@ std::vector<BenchScene> loadScenes(const Request& request) {
   // Only now: where a later scene is bad, stderr holds the one line that says so.
   for (const std::string& warning : warnings) std::cerr << "warning: " << warning << '\n';
   return scenes;
+}
+
+Settings presetSettings(const std::string& preset, bool quick, std::size_t triangles) {
+  Settings settings;
+  applyPreset(settings, preset);
+  if (settings.trace.method != Method::attributes) return settings;
+  settings.voxels.resolution = quick ? 32 : triangles > kLargeScene ? 256 : 64;
+  settings.abuffer.resolution = quick ? 256 : 1024;
+  return settings;
 }
 
 Workbench::Workbench(const Request& request)
@@ -58,7 +69,7 @@ RunStatistics Workbench::describe(const BenchScene& scene, const Settings& setti
   return run;
 }
 
-void Workbench::draw(const BenchScene& scene, RunStatistics& run) {
+void Workbench::draw(const BenchScene& scene, RunStatistics& run, int frames) {
   if (scene_ != &scene) {
     renderer_.reset();  // its memory goes before the new one's comes
     renderer_.emplace(context_.getProcAddress(), exactFactory(scene.model.scene, 0));
@@ -66,8 +77,13 @@ void Workbench::draw(const BenchScene& scene, RunStatistics& run) {
     scene_ = &scene;
   }
   run.warmUpFrames = drawFirstFrame(*renderer_, scene.camera, run.settings, target_.target(), run.report);
+  StageTimes times;
   // A pool that was sized by a first guess gets the size that the frame before asked for.
-  drawNext(scene, run);
+  for (int frame = 0; frame < frames; ++frame) {
+    drawNext(scene, run);
+    times.add(run.report.times);
+  }
+  run.stages = times.summarize();
 }
 
 void Workbench::drawNext(const BenchScene& scene, RunStatistics& run) {

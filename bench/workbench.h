@@ -29,6 +29,10 @@ struct BenchScene {
 // them go to stderr.
 std::vector<BenchScene> loadScenes(const Request& request);
 
+// A preset's settings for a scene of so many triangles. The papers' methods get the papers' voxels: 64^3, large scenes
+// 256^3 (Kastrati & Goswami 2017, section 4.1), quick ones fewer. Throws Error (usage) for an unknown preset.
+Settings presetSettings(const std::string& preset, bool quick, std::size_t triangles);
+
 // A device with one scene at a time on it.
 class Workbench {
  public:
@@ -38,9 +42,9 @@ class Workbench {
   // What identifies the device, the scene, the size and the settings of a run; nothing is drawn.
   RunStatistics describe(const BenchScene& scene, const Settings& settings) const;
 
-  // Draws one whole frame; `run` gets its report. The scene must live until the next one. Throws Error (failed) where
-  // GL complains.
-  void draw(const BenchScene& scene, RunStatistics& run);
+  // Draws whole frames after one or more to warm up; `run` gets the times of all and the report of the last. The scene
+  // must live until the next one. Throws Error (failed) where GL complains.
+  void draw(const BenchScene& scene, RunStatistics& run, int frames = 1);
 
   // Draws one more frame of the scene that was drawn last, with whatever room its structures have.
   void drawNext(const BenchScene& scene, RunStatistics& run);

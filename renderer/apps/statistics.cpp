@@ -10,13 +10,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-double median(std::vector<double> values) {
-  if (values.empty()) return 0;
-  std::sort(values.begin(), values.end());
-  const std::size_t middle = values.size() / 2;
-  return values.size() % 2 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
-}
-
 StageSummary summarizeStage(const std::string& stage, const std::vector<double>& samples) {
   std::vector<double> valid;
   for (const double sample : samples)
@@ -67,6 +60,13 @@ double coverage(const FrameReport& report) {
 }
 
 }  // namespace
+
+double median(std::vector<double> values) {
+  if (values.empty()) return 0;
+  std::sort(values.begin(), values.end());
+  const std::size_t middle = values.size() / 2;
+  return values.size() % 2 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
+}
 
 std::vector<std::string> stageNames() {
   return {"shadow", "gbuffer", "select", "voxelize", "build", "trace", "shade", "composite", "frame"};

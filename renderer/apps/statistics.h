@@ -14,6 +14,8 @@
 // What a run of `render` measured, and its two forms: the statistics file and the table.
 namespace halfsilver {
 
+double median(std::vector<double> values);  // 0 for none
+
 // The stages of the contract, in the order of the frame; always all present in the statistics.
 std::vector<std::string> stageNames();
 
