@@ -30,6 +30,13 @@ std::string quoted(const std::string& text) {
   return result + '"';
 }
 
+std::string terminal(ChartFormat format, double width, double height) {
+  std::ostringstream text;
+  text << "set terminal " << (format == ChartFormat::svg ? "svg" : "pngcairo") << " noenhanced size " << width << ','
+       << height << " background rgb \"white\" font \"sans,12\"\n";
+  return text.str();
+}
+
 double sum(const std::vector<double>& parts) { return std::accumulate(parts.begin(), parts.end(), 0.0); }
 
 struct Range {
@@ -46,6 +53,14 @@ Range axisRange(const StackedBars& chart) {
   if (most <= 0) return {};
   return {std::pow(10.0, std::floor(std::log10(least)) - (std::log10(least) - std::floor(std::log10(least)) < 0.3)),
           most * 2.5};
+}
+
+// End of an axis with a little room. Given, as gnuplot finds none where there are no points or all are 0.
+double limit(const Panel& panel, double Sample::*value) {
+  double most = 0;
+  for (const Curve& curve : panel.curves)
+    for (const Sample& sample : curve.samples) most = std::max(most, sample.*value);
+  return most > 0 ? 1.04 * most : 1;
 }
 
 // Centre of each bar.
@@ -74,9 +89,8 @@ std::string gnuplotScript(const StackedBars& chart, ChartFormat format) {
   const Range range = axisRange(chart);
   std::ostringstream script;
   const double width = std::max(800.0, 46 * (centers.empty() ? 1 : centers.back() + 2) + 120);
-  script << "set terminal " << (format == ChartFormat::svg ? "svg" : "pngcairo") << " noenhanced size " << width
-         << ",480 background rgb \"white\" font \"sans,12\"\n"
-         << "set title " << quoted(chart.title) << "\nset ylabel " << quoted(chart.axis) << '\n'
+  script << terminal(format, width, 480) << "set title " << quoted(chart.title) << "\nset ylabel " << quoted(chart.axis)
+         << '\n'
          << "set logscale y 10\nset yrange [" << range.low << ':' << range.high << "]\n"
          << "set xrange [-0.8:" << (centers.empty() ? 1 : centers.back()) + 0.8 << "]\n"
          << "set format y \"%g\"\nset grid ytics lc rgb \"#dddddd\"\nset border 3\nset tics nomirror out\n"
@@ -113,6 +127,42 @@ std::string gnuplotScript(const StackedBars& chart, ChartFormat format) {
     script << (part ? ", " : "") << "$part" << part << " using 1:($4):2:3:4:5 with boxxyerror lc rgb \""
            << kColors[part % std::size(kColors)] << "\" title " << quoted(chart.parts[part]);
   script << '\n';
+  return script.str();
+}
+
+std::string gnuplotScript(const PanelGrid& grid, ChartFormat format) {
+  const std::size_t rows = (grid.panels.size() + grid.columns - 1) / grid.columns;
+  std::ostringstream script;
+  script << terminal(format, 440.0 * static_cast<double>(grid.columns), 360.0 * static_cast<double>(rows))
+         << "set multiplot layout " << rows << ',' << grid.columns << '\n'
+         << "set grid lc rgb \"#dddddd\"\nset border 3\nset tics nomirror out\n"
+         << "set key bmargin center horizontal samplen 1.5 font \",10\"\n";
+  for (std::size_t index = 0; index < grid.panels.size(); ++index) {
+    const Panel& panel = grid.panels[index];
+    script << "set title " << quoted(panel.title) << "\nset xlabel " << quoted(panel.xAxis) << "\nset ylabel "
+           << quoted(panel.yAxis) << '\n'
+           << "set xrange [0:" << limit(panel, &Sample::x) << "]\nset yrange [0:" << limit(panel, &Sample::high)
+           << "]\n";
+    // Columns: x, y, low, high.
+    std::string plots;
+    for (std::size_t i = 0; i < panel.curves.size(); ++i) {
+      const Curve& curve = panel.curves[i];
+      const std::string data = "$panel" + std::to_string(index) + "curve" + std::to_string(i);
+      const std::string color = std::string(" lc rgb \"") + kColors[curve.color % std::size(kColors)] + '"';
+      const std::string title = curve.name.empty() ? " notitle" : std::string(" title ") + quoted(curve.name);
+      script << data << " << END\n";
+      for (const Sample& sample : curve.samples)
+        script << sample.x << ' ' << sample.y << ' ' << sample.low << ' ' << sample.high << '\n';
+      script << "NaN NaN NaN NaN\nEND\n";
+      plots += plots.empty() ? "plot " : ", ";
+      if (curve.measured)
+        plots += data + " with yerrorlines pt 7 ps 0.4" + color + title;
+      else
+        plots += data + " with lines dt 2" + color + title;
+    }
+    script << plots << '\n';
+  }
+  script << "unset multiplot\n";
   return script.str();
 }
 

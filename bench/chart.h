@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,10 +21,34 @@ struct StackedBars {
   std::vector<Bar> bars;
 };
 
+struct Sample {
+  double x = 0, y = 0;
+  double low = 0, high = 0;  // of an error bar
+};
+
+struct Curve {
+  std::string name;  // in the key; one without a name is not in it
+  std::vector<Sample> samples;
+  std::size_t color = 0;  // of a fixed palette
+  bool measured = true;   // marks with error bars along a line; otherwise a dashed line
+};
+
+struct Panel {
+  std::string title, xAxis, yAxis;
+  std::vector<Curve> curves;
+};
+
+// Charts of curves side by side, row by row; axes begin at 0.
+struct PanelGrid {
+  std::size_t columns = 1;
+  std::vector<Panel> panels;
+};
+
 enum class ChartFormat { svg, png };
 
 // Writes the picture to gnuplot's standard output.
 std::string gnuplotScript(const StackedBars& chart, ChartFormat format);
+std::string gnuplotScript(const PanelGrid& grid, ChartFormat format);
 
 // What gnuplot writes for a script; nothing where gnuplot is not installed. Throws Error (failed) where it fails.
 std::optional<std::string> runGnuplot(const std::string& script);

@@ -48,6 +48,12 @@ std::string page(const std::string& title, const std::string& body) {
 std::string heading(const std::string& text) { return "<h2>" + escapeHtml(text) + "</h2>\n"; }
 std::string paragraph(const std::string& text) { return "<p>" + escapeHtml(text) + "</p>\n"; }
 
+std::string bullets(const std::vector<std::string>& texts) {
+  std::string html = "<ul>\n";
+  for (const std::string& text : texts) html.append("<li>").append(escapeHtml(text)).append("</li>\n");
+  return html + "</ul>\n";
+}
+
 std::string thumbnail(std::string_view picture, const std::string& caption) {
   return "<figure><img alt=\"" + escapeHtml(caption) + "\" src=\"data:image/png;base64," + base64(picture) +
          "\"><figcaption>" + escapeHtml(caption) + "</figcaption></figure>\n";

@@ -2,6 +2,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 // One self-contained page: styles, pictures and charts are in it, nothing is fetched.
 namespace halfsilver::bench {
@@ -11,6 +12,7 @@ std::string page(const std::string& title, const std::string& body);
 
 std::string heading(const std::string& text);
 std::string paragraph(const std::string& text);
+std::string bullets(const std::vector<std::string>& texts);
 // `picture` is the bytes of a PNG.
 std::string thumbnail(std::string_view picture, const std::string& caption);
 // The <svg> element of an SVG file.

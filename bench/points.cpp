@@ -72,6 +72,8 @@ void addMeasured(Json& point, const RunStatistics& run) {
   for (const char* name : {"pixels", "memory", "overflow", "lost_fragments", "warnings"}) point[name] = all[name];
 }
 
+void addTimes(Json& point, const RunStatistics& run) { point["time_ms"] = toJson(run)["time_ms"]; }
+
 OutputFolder::OutputFolder(const fs::path& path) : path_(path) {
   std::error_code error;
   for (fs::path folder = fs::absolute(path).lexically_normal();

@@ -31,6 +31,9 @@ nlohmann::ordered_json pointKey(const RunStatistics& run, const BenchScene& scen
 // Adds what was measured: pixels, memory, overflow, lost fragments, warnings.
 void addMeasured(nlohmann::ordered_json& point, const RunStatistics& run);
 
+// Adds the times of the stages.
+void addTimes(nlohmann::ordered_json& point, const RunStatistics& run);
+
 // A folder that is made where it is missing, and removed again where nothing was put into it.
 class OutputFolder {
  public:

@@ -1,7 +1,7 @@
 #include "bench/stability.h"
 
 #include <algorithm>
-#include <chrono>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -10,11 +10,11 @@
 #include <utility>
 
 #include "apps/drawing.h"
-#include "apps/progress.h"
-#include "bench/estimate.h"
 #include "bench/flicker.h"
 #include "bench/points.h"
+#include "bench/report.h"
 #include "bench/stability_report.h"
+#include "bench/tasks.h"
 #include "bench/workbench.h"
 #include "core/error.h"
 #include "io/atomic_file.h"
@@ -109,54 +109,63 @@ class Motion {
   std::vector<Vertex> rest_;
 };
 
-std::string readBytes(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
+// Measures the methods scene by scene; the frames of the reference are kept for as long as a scene lasts.
 class Measurement {
  public:
-  Measurement(const Request& request, std::vector<BenchScene>& scenes, const OutputFolder& folder, Workbench& bench)
-      : quick_(request.quick), folder_(&folder), bench_(&bench), points_(folder / "stability.json", "stability") {
-    for (BenchScene& scene : scenes)
-      for (const Variant& variant : variants(request.quick)) {
-        Task task{&scene, subjectOf(scene), variant, {}, false};
-        task.variant.settings.trace.bounces = task.subject.bounces;
-        task.key = pointKey(bench.describe(scene, task.variant.settings), scene);
-        task.key["preset"] = variant.name;
-        task.key["frames"] = frames();
-        task.known = points_.find(task.key) != nullptr;
-        if (!task.known) estimate_.plan(1);
-        tasks_.push_back(std::move(task));
-      }
+  Measurement(bool quick, const OutputFolder& folder, Workbench& bench)
+      : quick_(quick), folder_(&folder), bench_(&bench) {}
+
+  Json key(const BenchScene& scene, const Variant& variant) const {
+    Json key = pointKey(bench_->describe(scene, variant.settings), scene);
+    key["preset"] = variant.name;
+    key["frames"] = frames();
+    return key;
   }
 
-  std::vector<Json> run() {
-    Progress progress;
-    std::vector<Json> results;
-    for (const Task& task : tasks_) {
-      if (!task.known) {
-        const std::string left = estimate_.left();
-        progress.show("point " + std::to_string(results.size() + 1) + " of " + std::to_string(tasks_.size()) + ": " +
-                      task.scene->name + ", " + task.variant.name + (left.empty() ? "" : ", " + left));
-        const auto start = std::chrono::steady_clock::now();
-        measure(task);
-        estimate_.done(1, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+  // Adds the measured members to the point.
+  void measure(BenchScene& scene, const Subject& subject, const Variant& variant, Json& point) {
+    const std::vector<Image>& exact = truth(scene, subject);
+    RunStatistics run = bench_->describe(scene, variant.settings);
+    FlickerMeter meter;
+    LayerComparison still;
+    double worst = 0, overflow = 0;
+    std::uint64_t lost = 0;
+    bool repeats = true;
+    animate(scene, subject, run, [&](int frame) {
+      const Image layers = bench_->layers();
+      const Image& reference = exact[static_cast<std::size_t>(frame)];
+      const auto errors = compareImages({layers, true, scene.diagonal}, {reference, true, scene.diagonal}).layers;
+      if (!errors) throw Error(ErrorKind::failed, "no layers to compare");
+      if (frame == 0) {
+        still = *errors;
+        keepPicture(scene.name, variant.name);
+        for (int i = 1; i < (quick_ ? kQuickRepeats : kRepeats); ++i) {
+          bench_->drawNext(scene, run);
+          repeats = repeats && bench_->layers().data == layers.data;
+        }
       }
-      results.push_back(*points_.find(task.key));
-    }
-    return results;
+      worst = std::max(worst, errors->hitError);
+      overflow = std::max(overflow, errors->overflow);
+      lost = std::max(lost, run.report.lostFragments);
+      meter.add(layers, reference);
+    });
+    const Flicker flicker = meter.result();
+    point["cause"] = subject.cause;
+    point["rays"] = still.pixels;
+    point["hit_error"] = still.hitError;
+    point["false_miss"] = still.falseMiss;
+    point["worst_hit_error"] = worst;
+    point["overflow"] = overflow;
+    point["lost_fragments"] = lost;
+    point["flicker_mean"] = flicker.mean;
+    point["flicker_99"] = flicker.percentile99;
+    point["flicker_hits"] = flicker.hits;
+    point["quiet_steps"] = flicker.identical;
+    point["steps"] = flicker.steps;
+    point["repeats_to_the_bit"] = repeats;
   }
 
  private:
-  struct Task {
-    BenchScene* scene;
-    Subject subject;
-    Variant variant;
-    Json key;
-    bool known;
-  };
-
   int frames() const { return quick_ ? kQuickFrames : kFrames; }
 
   // Calls `use(frame)` after each frame of the move has been drawn, each once: a pool that was too small shows.
@@ -191,51 +200,6 @@ class Measurement {
     return truth_;
   }
 
-  void measure(const Task& task) {
-    BenchScene& scene = *task.scene;
-    const std::vector<Image>& exact = truth(scene, task.subject);
-    RunStatistics run = bench_->describe(scene, task.variant.settings);
-    FlickerMeter meter;
-    LayerComparison still;
-    double worst = 0, overflow = 0;
-    std::uint64_t lost = 0;
-    bool repeats = true;
-    animate(scene, task.subject, run, [&](int frame) {
-      const Image layers = bench_->layers();
-      const Image& reference = exact[static_cast<std::size_t>(frame)];
-      const auto errors = compareImages({layers, true, scene.diagonal}, {reference, true, scene.diagonal}).layers;
-      if (!errors) throw Error(ErrorKind::failed, "no layers to compare");
-      if (frame == 0) {
-        still = *errors;
-        keepPicture(scene.name, task.variant.name);
-        for (int i = 1; i < (quick_ ? kQuickRepeats : kRepeats); ++i) {
-          bench_->drawNext(scene, run);
-          repeats = repeats && bench_->layers().data == layers.data;
-        }
-      }
-      worst = std::max(worst, errors->hitError);
-      overflow = std::max(overflow, errors->overflow);
-      lost = std::max(lost, run.report.lostFragments);
-      meter.add(layers, reference);
-    });
-    const Flicker flicker = meter.result();
-    Json point = task.key;
-    point["cause"] = task.subject.cause;
-    point["rays"] = still.pixels;
-    point["hit_error"] = still.hitError;
-    point["false_miss"] = still.falseMiss;
-    point["worst_hit_error"] = worst;
-    point["overflow"] = overflow;
-    point["lost_fragments"] = lost;
-    point["flicker_mean"] = flicker.mean;
-    point["flicker_99"] = flicker.percentile99;
-    point["flicker_hits"] = flicker.hits;
-    point["quiet_steps"] = flicker.identical;
-    point["steps"] = flicker.steps;
-    point["repeats_to_the_bit"] = repeats;
-    points_.keep(std::move(point));
-  }
-
   void keepPicture(const std::string& scene, const std::string& method) {
     AtomicFile file(*folder_ / pictureName(scene, method));
     file.write(bench_->thumbnail());
@@ -245,18 +209,20 @@ class Measurement {
   bool quick_;
   const OutputFolder* folder_;
   Workbench* bench_;
-  Points points_;
-  Estimate estimate_;
-  std::vector<Task> tasks_;
   const BenchScene* truthScene_ = nullptr;
   std::vector<Image> truth_;  // a frame each
 };
 
-void writeReport(const OutputFolder& folder, const std::vector<Json>& points) {
+std::string readBytes(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+void writeReport(const OutputFolder& folder, const PointList& points) {
   std::map<std::string, std::string> pictures;
   for (const Json& point : points)
-    for (const std::string& method : {point["preset"].get<std::string>(), std::string("reference")}) {
-      const std::string name = pictureName(point["scene"]["file"].get<std::string>(), method);
+    for (const std::string& method : {presetOf(point), std::string("reference")}) {
+      const std::string name = pictureName(sceneOf(point), method);
       pictures[name] = readBytes(folder / name);
     }
   AtomicFile csv(folder / "stability.csv"), html(folder / "index.html");
@@ -266,7 +232,27 @@ void writeReport(const OutputFolder& folder, const std::vector<Json>& points) {
   html.commit();
 }
 
+// The methods that were asked for.
+std::vector<Variant> chosenVariants(const Request& request) {
+  std::vector<Variant> all = variants(request.quick);
+  if (request.presets.empty()) return all;
+  std::vector<Variant> chosen;
+  for (const std::string& name : request.presets) {
+    const auto known =
+        std::find_if(all.begin(), all.end(), [&](const Variant& variant) { return variant.name == name; });
+    if (known == all.end()) throw Error(ErrorKind::usage, "--method " + name + ": there is no such method");
+    chosen.push_back(*known);
+  }
+  return chosen;
+}
+
 }  // namespace
+
+void addStabilityOptions(CLI::App& command, Request& request) {
+  command.get_option("SCENE")->required(false);
+  command.add_option("--method", request.presets, "A method to measure, repeatable (default: all)")
+      ->allow_extra_args(false);
+}
 
 void runStability(const Request& request) {
   Request all = request;
@@ -276,12 +262,26 @@ void runStability(const Request& request) {
       name += failure.name;
       all.scenes.push_back(std::move(name));
     }
+  const std::vector<Variant> methods = chosenVariants(all);
   std::vector<BenchScene> scenes = loadScenes(all);
   if (!exactFactory(scenes.front().model.scene, 0))
     throw Error(ErrorKind::failed, "stability needs the reference: build with Embree");
   Workbench bench(all);
   const OutputFolder folder(all.folder);
-  const std::vector<Json> points = Measurement(all, scenes, folder, bench).run();
+  Measurement measurement(all.quick, folder, bench);
+  std::vector<Task> tasks;
+  for (BenchScene& scene : scenes) {
+    const Subject subject = subjectOf(scene);
+    for (Variant variant : methods) {
+      variant.settings.trace.bounces = subject.bounces;
+      tasks.push_back({measurement.key(scene, variant), scene.name + ", " + variant.name, 1,
+                       [&measurement, &scene, subject, variant](Json& point) {
+                         measurement.measure(scene, subject, variant, point);
+                       }});
+    }
+  }
+  Points kept(folder / "stability.json", "stability");
+  const PointList points = measureAll(kept, tasks);
   writeReport(folder, points);
   std::cout << toText(stabilityTable(points));
 }

@@ -9,5 +9,7 @@ namespace halfsilver::bench {
 // one of the camera. Without scenes: all failure scenes (scene/failures.h). Throws Error (failed) where the project is
 // built without the reference.
 void runStability(const Request& request);
+// Scenes may be missing, methods (as the table calls them) be chosen.
+void addStabilityOptions(CLI::App& command, Request& request);
 
 }  // namespace halfsilver::bench

@@ -12,29 +12,19 @@ using Json = nlohmann::ordered_json;
 
 constexpr double kMostWrong = 5e-4, kMostFlips = 1e-4;  // shares
 
-std::string percent(const Json& share) {
-  char text[32];
-  std::snprintf(text, sizeof(text), "%.3f %%", 100 * share.get<double>());
-  return text;
-}
+constexpr int kDigits = 3;  // of percentages
 
-std::string decimal(const Json& value) {
-  char text[32];
-  std::snprintf(text, sizeof(text), "%.5f", value.get<double>());
-  return text;
-}
+std::string share(const Json& value) { return percent(value.get<double>(), kDigits); }
+std::string decimal(const Json& value) { return number(value.get<double>(), 5); }
 
-std::string sceneOf(const Json& point) { return point["scene"]["file"].get<std::string>(); }
-std::string methodOf(const Json& point) { return point["preset"].get<std::string>(); }
-
-std::vector<std::string> methodsOf(const StabilityPoints& points) {
+std::vector<std::string> methodsOf(const PointList& points) {
   std::vector<std::string> methods;
   for (const Json& point : points)
-    if (std::find(methods.begin(), methods.end(), methodOf(point)) == methods.end()) methods.push_back(methodOf(point));
+    if (std::find(methods.begin(), methods.end(), presetOf(point)) == methods.end()) methods.push_back(presetOf(point));
   return methods;
 }
 
-std::vector<std::string> scenesOf(const StabilityPoints& points) {
+std::vector<std::string> scenesOf(const PointList& points) {
   std::vector<std::string> scenes;
   for (const Json& point : points)
     if (scenes.empty() || scenes.back() != sceneOf(point)) scenes.push_back(sceneOf(point));
@@ -50,14 +40,14 @@ std::string verdict(const Json& point) {
     if (!faults.empty()) faults += ", ";
     faults += what;
   };
-  fault(point["worst_hit_error"].get<double>() > kMostWrong, "wrong " + percent(point["worst_hit_error"]));
+  fault(point["worst_hit_error"].get<double>() > kMostWrong, "wrong " + share(point["worst_hit_error"]));
   fault(point["overflow"].get<double>() > 0 || point["lost_fragments"].get<std::uint64_t>() > 0, "overflow");
   fault(point["flicker_99"].get<double>() > 0 || point["flicker_hits"].get<double>() > kMostFlips, "flickers");
   fault(!point["repeats_to_the_bit"].get<bool>(), "does not repeat");
   return faults;
 }
 
-Table survivors(const StabilityPoints& points) {
+Table survivors(const PointList& points) {
   Table table{{"Scene", "What is hard about it"}, {}};
   const std::vector<std::string> methods = methodsOf(points);
   table.columns.insert(table.columns.end(), methods.begin(), methods.end());
@@ -67,7 +57,7 @@ Table survivors(const StabilityPoints& points) {
     for (const Json& point : points) {
       if (sceneOf(point) != scene) continue;
       row[1] = point["cause"].get<std::string>();
-      const auto at = std::find(methods.begin(), methods.end(), methodOf(point));
+      const auto at = std::find(methods.begin(), methods.end(), presetOf(point));
       row[2 + static_cast<std::size_t>(at - methods.begin())] = verdict(point);
     }
     table.rows.push_back(std::move(row));
@@ -100,19 +90,19 @@ bool survives(const Json& point) {
          point["flicker_hits"].get<double>() <= kMostFlips && point["repeats_to_the_bit"].get<bool>();
 }
 
-Table stabilityTable(const StabilityPoints& points) {
+Table stabilityTable(const PointList& points) {
   Table table{{"scene", "method", "rays", "wrong", "worst", "overflow", "flicker", "99 %", "hit/miss", "repeats", ""},
               {}};
   for (const Json& point : points)
-    table.rows.push_back({sceneOf(point), methodOf(point), point["rays"].dump(), percent(point["hit_error"]),
-                          percent(point["worst_hit_error"]), percent(point["overflow"]), decimal(point["flicker_mean"]),
-                          decimal(point["flicker_99"]), percent(point["flicker_hits"]),
+    table.rows.push_back({sceneOf(point), presetOf(point), point["rays"].dump(), share(point["hit_error"]),
+                          share(point["worst_hit_error"]), share(point["overflow"]), decimal(point["flicker_mean"]),
+                          decimal(point["flicker_99"]), share(point["flicker_hits"]),
                           point["repeats_to_the_bit"].get<bool>() ? "yes" : "no",
                           survives(point) ? "survives" : "fails"});
   return table;
 }
 
-Table stabilityCsv(const StabilityPoints& points) {
+Table stabilityCsv(const PointList& points) {
   constexpr const char* values[] = {"rays",         "hit_error",      "false_miss",   "worst_hit_error",
                                     "overflow",     "lost_fragments", "flicker_mean", "flicker_99",
                                     "flicker_hits", "quiet_steps",    "steps",        "repeats_to_the_bit"};
@@ -120,7 +110,7 @@ Table stabilityCsv(const StabilityPoints& points) {
   table.columns.insert(table.columns.end(), std::begin(values), std::end(values));
   table.columns.emplace_back("survives");
   for (const Json& point : points) {
-    std::vector<std::string> row = {sceneOf(point), point["cause"].get<std::string>(), methodOf(point)};
+    std::vector<std::string> row = {sceneOf(point), point["cause"].get<std::string>(), presetOf(point)};
     for (const char* value : values) row.push_back(point[value].dump());
     row.emplace_back(survives(point) ? "true" : "false");
     table.rows.push_back(std::move(row));
@@ -128,14 +118,9 @@ Table stabilityCsv(const StabilityPoints& points) {
   return table;
 }
 
-std::string stabilityPage(const StabilityPoints& points, const std::map<std::string, std::string>& pictures) {
-  const Json& device = points.front()["device"];
+std::string stabilityPage(const PointList& points, const std::map<std::string, std::string>& pictures) {
   std::string body = kIntroduction;
-  body +=
-      paragraph("Measured with Halfsilver " + points.front()["version"].get<std::string>() + " on " +
-                device["renderer"].get<std::string>() + " (" + device["version"].get<std::string>() + ", " +
-                device["context"].get<std::string>() + "), pictures of " + points.front()["size"][0].dump() + " x " +
-                points.front()["size"][1].dump() + " pixels, " + points.front()["frames"].dump() + " steps a move.");
+  body += paragraph(measuredWith(points.front()) + " Steps of a move: " + points.front()["frames"].dump() + '.');
   body += heading("Who survives what") + toHtml(survivors(points)) + kMeasures;
   body += heading("The pictures") +
           paragraph("The reference, then each method; a method that survives shows the same picture.");
@@ -149,10 +134,10 @@ std::string stabilityPage(const StabilityPoints& points, const std::map<std::str
     show("reference", "reference");
     for (const Json& point : points)
       if (sceneOf(point) == scene) {
-        std::string caption = methodOf(point);
+        std::string caption = presetOf(point);
         caption += ": ";
         caption += verdict(point);
-        show(methodOf(point), caption);
+        show(presetOf(point), caption);
       }
     body += "</div>\n";
   }

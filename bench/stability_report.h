@@ -3,23 +3,21 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>
-#include <vector>
 
+#include "bench/report.h"
 #include "bench/table.h"
 
 // What is said about the points of stability: table and page.
 namespace halfsilver::bench {
 
-using StabilityPoints = std::vector<nlohmann::ordered_json>;
-
 // Whether a method gets through: at most 0.05 % wrong hits in every frame, no overflow, no flicker at the 99th
 // percentile or between hit and miss beyond 0.01 % of the pixels, repeats to the bit.
 bool survives(const nlohmann::ordered_json& point);
 
-Table stabilityTable(const StabilityPoints& points);
-Table stabilityCsv(const StabilityPoints& points);
+Table stabilityTable(const PointList& points);
+Table stabilityCsv(const PointList& points);
 // `pictures`: PNG by its name in the folder (see pictureName()).
-std::string stabilityPage(const StabilityPoints& points, const std::map<std::string, std::string>& pictures);
+std::string stabilityPage(const PointList& points, const std::map<std::string, std::string>& pictures);
 // File of a scene's picture by a method.
 std::string pictureName(const std::string& scene, const std::string& method);
 

@@ -52,6 +52,7 @@ TEST(BenchPage, PicturesAreInIt) {
   EXPECT_NE(thumbnail("Ma", "m").find("base64,TWE=\""), std::string::npos);
   EXPECT_NE(thumbnail(std::string_view("\xff", 1), "m").find("base64,/w==\""), std::string::npos);
   EXPECT_EQ(inlineSvg("<?xml version=\"1.0\"?>\n<svg a=\"b\"></svg>"), "<svg a=\"b\"></svg>");
+  EXPECT_EQ(bullets({"a", "b & c"}), "<ul>\n<li>a</li>\n<li>b &amp; c</li>\n</ul>\n");
   EXPECT_NE(page("a < b", "<p>x</p>").find("<title>a &lt; b</title>"), std::string::npos);
 }
 
@@ -62,6 +63,23 @@ TEST(BenchChart, NamesCannotLeaveTheirQuotes) {
   EXPECT_NE(script.find("\"g\\\\\""), script.npos);
   EXPECT_EQ(script.find("nan"), script.npos);
   EXPECT_EQ(script.find("inf"), script.npos);
+}
+
+TEST(BenchChart, PanelsHoldTheirCurves) {
+  const PanelGrid grid{
+      2,
+      {{"a \"title\"", "x", "ms", {{"seen", {{0, 1, 0.5, 2}, {1, 3, 3, 3}}}, {"", {{0, 1, 1, 1}}, 1, false}}},
+       {"b", "x", "MB", {{"other", {}}}},
+       {"c", "x", "MB", {{"last", {{0, 0, 0, 0}}}}}}};
+  const std::string script = gnuplotScript(grid, ChartFormat::svg);
+  EXPECT_NE(script.find("layout 2,2"), script.npos);
+  EXPECT_NE(script.find("set title \"a \\\"title\\\"\""), script.npos);
+  EXPECT_NE(script.find("\n0 1 0.5 2\n1 3 3 3\n"), script.npos);
+  EXPECT_NE(script.find("title \"seen\""), script.npos);
+  EXPECT_NE(script.find("notitle"), script.npos);
+  if (const std::optional<std::string> svg = runGnuplot(script)) {
+    for (const char* text : {">seen<", ">other<", ">last<", ">MB<"}) EXPECT_NE(svg->find(text), svg->npos) << text;
+  }
 }
 
 Scene oneTriangle(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
