@@ -12,30 +12,22 @@
 #include "apps/drawing.h"
 #include "apps/offscreen.h"
 #include "apps/progress.h"
-#include "apps/scene_input.h"
 #include "apps/statistics.h"
+#include "apps/view_request.h"
 #include "apps/wall_clock.h"
 #include "context/context.h"
 #include "core/error.h"
 #include "io/atomic_file.h"
 #include "io/images.h"
-#include "io/settings_file.h"
 #include "renderer.h"
 
 namespace halfsilver {
 namespace {
 
 struct RenderRequest {
-  std::string scene, output, stats, layers;
-  std::string size = "960x540";
-  std::string camera, eye, target;
-  std::optional<double> fov, time;
-  std::vector<std::string> mirrors, set;
-  std::string sky, preset, config;
-  std::string context = "auto";
-  std::optional<int> bounces;
+  ViewRequest view;
+  std::string output, stats, layers;
   std::optional<int> repeat;
-  int threads = 0;
 };
 
 std::string lowerExtension(const std::string& file) {
@@ -91,36 +83,6 @@ class Outputs {
   std::vector<std::filesystem::path> paths_;
   bool linear_ = false;
 };
-
-// Defaults, then preset or file, then --set, then --bounces.
-Settings resolveSettings(const RenderRequest& request) {
-  Settings settings;
-  if (!request.preset.empty()) applyPreset(settings, request.preset);
-  if (!request.config.empty()) applySettingsFile(settings, request.config);
-  for (const std::string& text : request.set) {
-    const SettingArgument argument = parseSetting(text);
-    set(settings, argument.name, argument.value);
-  }
-  if (request.bounces) set(settings, "trace.bounces", std::to_string(*request.bounces));
-  return settings;
-}
-
-Model prepareScene(const RenderRequest& request) {
-  Model model = loadScene(request.scene);
-  std::vector<MirrorArgument> mirrors;
-  for (const std::string& text : request.mirrors) mirrors.push_back(parseMirror(text));
-  applyMirrors(model.scene, mirrors);
-  if (!request.sky.empty()) {
-    if (const std::size_t repaired = readSky(request.sky, model.scene.sky))
-      model.warnings.push_back(request.sky + ": " + std::to_string(repaired) +
-                               " values outside 0..65504 or not a number were brought into that range");
-  }
-  if (request.time) {
-    if (model.rig.animations.empty()) model.warnings.push_back("the scene has no animation: --time changes nothing");
-    pose(model, *request.time);
-  }
-  return model;
-}
 
 void addWarnings(const std::vector<std::string>& from, std::vector<std::string>& to) {
   for (const std::string& warning : from)
@@ -180,20 +142,18 @@ void writePictures(const Renderer& renderer, const OffscreenTarget& target, cons
 void render(const RenderRequest& request) {
   WallClock clock;
   // All that can be wrong with the request itself, before any long work.
-  const Size size = parseSize(request.size);
-  CameraRequest cameraRequest{request.camera, {}, {}, request.fov};
-  if (!request.eye.empty()) cameraRequest.eye = parseVector("--eye", request.eye);
-  if (!request.target.empty()) cameraRequest.target = parseVector("--target", request.target);
-  for (const std::string& text : request.mirrors) parseMirror(text);
+  const ViewArguments arguments = checkView(request.view);
+  const Size& size = arguments.size;
   RunStatistics statistics;
-  statistics.settings = resolveSettings(request);
+  statistics.settings = baseSettings(request.view);
+  applyOverrides(statistics.settings, request.view);
   Outputs outputs(request);
 
   Progress progress;
-  progress.show("loading " + request.scene);
-  const Model model = prepareScene(request);
-  const Camera camera = chooseCamera(model.scene, cameraRequest);
-  statistics.sceneFile = request.scene;
+  progress.show("loading " + request.view.scene);
+  const Model model = loadModel(request.view, arguments);
+  const Camera camera = chooseCamera(model.scene, arguments.camera);
+  statistics.sceneFile = request.view.scene;
   statistics.triangles = model.scene.triangles.size();
   statistics.vertices = model.scene.vertices.size();
   statistics.materials = model.scene.materials.size();
@@ -205,10 +165,10 @@ void render(const RenderRequest& request) {
   statistics.warnings = model.warnings;
   clock.lap("load");
 
-  const Context context = makeContext(contextKind(request.context));
+  const Context context = makeContext(contextKind(request.view.context));
   const gl::Api api = gl::Api::load(context.getProcAddress());
   const OffscreenTarget target(api, size);
-  Renderer renderer(context.getProcAddress(), exactFactory(model.scene, request.threads));
+  Renderer renderer(context.getProcAddress(), exactFactory(model.scene, request.view.threads));
   statistics.device = renderer.device();
   statistics.context = context.name();
   clock.lap("context");
@@ -231,20 +191,11 @@ void render(const RenderRequest& request) {
   outputs.commit();
 }
 
-void addCameraOptions(CLI::App& command, RenderRequest& request) {
-  command.add_option("--camera", request.camera, "Name or index of a camera of the scene (default: the first)");
-  command.add_option("--eye", request.eye, "X,Y,Z of a camera of your own, world coordinates; with --target");
-  command.add_option("--target", request.target, "X,Y,Z that it looks at");
-  command.add_option("--fov", request.fov, "Vertical field of view in degrees, for --eye or the scene's camera");
-  command.add_option("--time", request.time, "Seconds into the scene's first animation");
-}
-
 void addOutputOptions(CLI::App& command, RenderRequest& request) {
   command.add_option("-o,--output", request.output, "Picture: .png (tone-mapped sRGB) or .exr (linear)")->required();
   command.add_option("--stats", request.stats, "Statistics as JSON");
   command.add_option("--layers", request.layers,
                      "All layers in one .exr: depth, normal, selected, hit, reflection, ...");
-  command.add_option("--size", request.size, "WIDTHxHEIGHT in pixels")->capture_default_str();
 }
 
 }  // namespace
@@ -253,27 +204,13 @@ void addRenderCommand(CLI::App& program) {
   CLI::App* command = program.add_subcommand("render", "Draw one picture of a scene");
   const auto shared = std::make_shared<RenderRequest>();
   RenderRequest& request = *shared;
-  command->add_option("SCENE", request.scene, ".gltf or .glb file, or builtin:NAME")->required();
   addOutputOptions(*command, request);
-  addCameraOptions(*command, request);
-  command->add_option("--mirror", request.mirrors, "MATERIAL=REFLECTIVITY: a mirror of a material; * for all")
-      ->allow_extra_args(false);
-  command->add_option("--sky", request.sky, "Equirectangular image (HDR, EXR) as the sky");
-  CLI::Option* preset = command->add_option("--preset", request.preset, "One of the presets (see: halfsilver presets)");
-  command->add_option("--config", request.config, "Settings from a .toml file")->excludes(preset);
-  command->add_option("--set", request.set, "section.key=value: one setting")->allow_extra_args(false);
-  command->add_option("--bounces", request.bounces, "Reflections along a path (trace.bounces)")
-      ->check(CLI::Range(1, 16));
-  command->add_option("--context", request.context, "Where OpenGL comes from: auto, egl, osmesa")
-      ->check(CLI::IsMember({"auto", "egl", "osmesa"}))
-      ->capture_default_str();
+  addViewOptions(*command, request.view);
   command
       ->add_option("--repeat", request.repeat,
                    "Frames measured after the first one; times are medians (default: 1 with --stats, else the first "
                    "frame is the picture)")
       ->check(CLI::Range(1, 100000));
-  command->add_option("--threads", request.threads, "Threads of the exact tracer (default: one a core)")
-      ->check(CLI::Range(1, 1024));
   command->callback([shared] { render(*shared); });
 }
 

@@ -1,0 +1,69 @@
+#include "apps/view_request.h"
+
+#include "io/images.h"
+#include "io/settings_file.h"
+
+namespace halfsilver {
+
+void addViewOptions(CLI::App& command, ViewRequest& request) {
+  command.add_option("SCENE", request.scene, ".gltf or .glb file, or builtin:NAME")->required();
+  command.add_option("--size", request.size, "WIDTHxHEIGHT in pixels")->capture_default_str();
+  command.add_option("--camera", request.camera, "Name or index of a camera of the scene (default: the first)");
+  command.add_option("--eye", request.eye, "X,Y,Z of a camera of your own, world coordinates; with --target");
+  command.add_option("--target", request.target, "X,Y,Z that it looks at");
+  command.add_option("--fov", request.fov, "Vertical field of view in degrees, for --eye or the scene's camera");
+  command.add_option("--time", request.time, "Seconds into the scene's first animation");
+  command.add_option("--mirror", request.mirrors, "MATERIAL=REFLECTIVITY: a mirror of a material; * for all")
+      ->allow_extra_args(false);
+  command.add_option("--sky", request.sky, "Equirectangular image (HDR, EXR) as the sky");
+  CLI::Option* preset = command.add_option("--preset", request.preset, "One of the presets (see: halfsilver presets)");
+  command.add_option("--config", request.config, "Settings from a .toml file")->excludes(preset);
+  command.add_option("--set", request.set, "section.key=value: one setting")->allow_extra_args(false);
+  command.add_option("--bounces", request.bounces, "Reflections along a path (trace.bounces)")
+      ->check(CLI::Range(1, 16));
+  command.add_option("--context", request.context, "Where OpenGL comes from: auto, egl, osmesa")
+      ->check(CLI::IsMember({"auto", "egl", "osmesa"}))
+      ->capture_default_str();
+  command.add_option("--threads", request.threads, "Threads of the exact tracer (default: one a core)")
+      ->check(CLI::Range(1, 1024));
+}
+
+ViewArguments checkView(const ViewRequest& request) {
+  ViewArguments arguments{parseSize(request.size), {request.camera, {}, {}, request.fov}, {}};
+  if (!request.eye.empty()) arguments.camera.eye = parseVector("--eye", request.eye);
+  if (!request.target.empty()) arguments.camera.target = parseVector("--target", request.target);
+  for (const std::string& text : request.mirrors) arguments.mirrors.push_back(parseMirror(text));
+  return arguments;
+}
+
+Settings baseSettings(const ViewRequest& request) {
+  Settings settings;
+  if (!request.preset.empty()) applyPreset(settings, request.preset);
+  if (!request.config.empty()) applySettingsFile(settings, request.config);
+  return settings;
+}
+
+void applyOverrides(Settings& settings, const ViewRequest& request) {
+  for (const std::string& text : request.set) {
+    const SettingArgument argument = parseSetting(text);
+    set(settings, argument.name, argument.value);
+  }
+  if (request.bounces) set(settings, "trace.bounces", std::to_string(*request.bounces));
+}
+
+Model loadModel(const ViewRequest& request, const ViewArguments& arguments) {
+  Model model = loadScene(request.scene);
+  applyMirrors(model.scene, arguments.mirrors);
+  if (!request.sky.empty()) {
+    if (const std::size_t repaired = readSky(request.sky, model.scene.sky))
+      model.warnings.push_back(request.sky + ": " + std::to_string(repaired) +
+                               " values outside 0..65504 or not a number were brought into that range");
+  }
+  if (request.time) {
+    if (model.rig.animations.empty()) model.warnings.push_back("the scene has no animation: --time changes nothing");
+    pose(model, *request.time);
+  }
+  return model;
+}
+
+}  // namespace halfsilver

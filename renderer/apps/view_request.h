@@ -1,0 +1,50 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "apps/arguments.h"
+#include "apps/scene_input.h"
+#include "scene/model.h"
+#include "settings.h"
+
+// The options of every command that draws a view of a scene.
+namespace halfsilver {
+
+// As the command line gives them, unchecked.
+struct ViewRequest {
+  std::string scene;
+  std::string size = "960x540";
+  std::string camera, eye, target;
+  std::optional<double> fov, time;
+  std::vector<std::string> mirrors, set;
+  std::string sky, preset, config;
+  std::optional<int> bounces;
+  std::string context = "auto";
+  int threads = 0;
+};
+
+// Adds SCENE and the options to a command. The request must outlive it.
+void addViewOptions(CLI::App& command, ViewRequest& request);
+
+// What can be wrong with a request without a look at the scene.
+struct ViewArguments {
+  Size size;
+  CameraRequest camera;
+  std::vector<MirrorArgument> mirrors;
+};
+
+// Throws Error (usage).
+ViewArguments checkView(const ViewRequest& request);
+
+// Defaults, then preset or file.
+Settings baseSettings(const ViewRequest& request);
+// --set, then --bounces: what the user names one by one comes last.
+void applyOverrides(Settings& settings, const ViewRequest& request);
+
+// The scene with its mirrors, sky and pose. Throws Error (badInput; usage for an unknown material).
+Model loadModel(const ViewRequest& request, const ViewArguments& arguments);
+
+}  // namespace halfsilver
