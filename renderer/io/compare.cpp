@@ -64,7 +64,16 @@ double sceneDiagonal(const ImageFile& image, const ImageFile& reference, std::op
   return b;
 }
 
+void requireSameSize(const Image& image, const Image& reference) {
+  if (image.width != reference.width || image.height != reference.height)
+    reject("the image is " + sizeText(image) + ", the reference " + sizeText(reference));
+}
+
+}  // namespace
+
 LayerComparison compareLayers(const Image& image, const Image& reference, double diagonal) {
+  requireSameSize(image, reference);
+  if (!hasLayers(image) || !hasLayers(reference)) reject("layers need the channels selected.Y, hit.T and hit.id");
   const Plane selected(image, "selected.Y"), referenceSelected(reference, "selected.Y");
   const Plane t(image, "hit.T"), referenceT(reference, "hit.T");
   const Plane id(image, "hit.id"), referenceId(reference, "hit.id");
@@ -95,11 +104,8 @@ LayerComparison compareLayers(const Image& image, const Image& reference, double
   return result;
 }
 
-}  // namespace
-
 Comparison compareImages(const ImageFile& image, const ImageFile& reference, std::optional<double> diagonal) {
-  if (image.image.width != reference.image.width || image.image.height != reference.image.height)
-    reject("the image is " + sizeText(image.image) + ", the reference " + sizeText(reference.image));
+  requireSameSize(image.image, reference.image);
   if (image.linear != reference.linear)
     reject("one file holds linear radiance, the other display values: compare like with like");
   const Image a = colors(image.image, "image"), b = colors(reference.image, "reference");

@@ -29,6 +29,9 @@ struct Comparison {
   std::optional<LayerComparison> layers;  // where both files have the channels selected.Y, hit.T and hit.id
 };
 
+// `diagonal` in metres. Throws Error (badInput) where the sizes differ or a channel is missing.
+LayerComparison compareLayers(const Image& image, const Image& reference, double diagonal);
+
 // `diagonal` (metres) overrides what the files say. Throws Error: badInput where the sizes differ, a file has no colour
 // or holds values that are not finite, or the files' diagonals differ; usage where layers are compared and no diagonal
 // is known.

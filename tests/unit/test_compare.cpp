@@ -140,6 +140,8 @@ TEST(Compare, RejectsWhatCannotBeCompared) {
   EXPECT_EQ(kindOf(broken, a), 3);
   EXPECT_EQ(kindOf(a, broken), 3);
   EXPECT_EQ(kindOf(colourless, a), 3);
+  EXPECT_THROW(compareLayers(a.image, a.image, 1), Error) << "no layers";
+  EXPECT_THROW(compareLayers(layers({{1, 1, 1}}).image, layers({{1, 1, 1}, {1, 1, 1}}).image, 1), Error);
 }
 
 }  // namespace
