@@ -114,6 +114,25 @@ void applySettingsFile(Settings& settings, const std::filesystem::path& file) {
   applySettingsText(settings, text.str(), file.string());
 }
 
+std::string settingsText(const Settings& settings, std::span<const std::string> always) {
+  const std::vector<SettingInfo> values = describe(settings), defaults = describe(Settings{});
+  std::string text, section;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const SettingInfo& info = values[i];
+    const bool wanted =
+        info.value != defaults[i].value || std::find(always.begin(), always.end(), info.name) != always.end();
+    if (!wanted) continue;
+    const std::size_t dot = info.name.find('.');
+    if (info.name.substr(0, dot) != section) {
+      section = info.name.substr(0, dot);
+      text += (text.empty() ? "[" : "\n[") + section + "]\n";
+    }
+    const std::string quote = info.kind == Kind::choice ? "\"" : "";
+    text += info.name.substr(dot + 1) + " = " + quote + info.value + quote + '\n';
+  }
+  return text;
+}
+
 std::vector<Preset> presets() {
   std::vector<Preset> result;
   const std::vector<SettingInfo> defaults = describe(Settings{});

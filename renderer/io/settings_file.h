@@ -21,6 +21,9 @@ void applySettingsText(Settings& settings, std::string_view text, const std::str
 // As above from a file; also throws Error (badInput) when it cannot be read.
 void applySettingsFile(Settings& settings, const std::filesystem::path& file);
 
+// The text that makes these settings out of the defaults: what differs from them, and what `always` names in any case.
+std::string settingsText(const Settings& settings, std::span<const std::string> always = {});
+
 struct Preset {
   std::string name;
   std::string description;                                  // one line, the first comment of the file

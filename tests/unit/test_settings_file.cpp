@@ -43,6 +43,41 @@ TEST(SettingsFile, SetsWhatItNamesAndNothingElse) {
   for (std::size_t i = 0; i < values.size(); ++i) EXPECT_EQ(values[i].value, wanted[i].value) << values[i].name;
 }
 
+// Every setting away from its default, one by one and all at once.
+TEST(SettingsFile, TextOfSettingsReadsBackAsThem) {
+  EXPECT_EQ(settingsText({}), "");
+  Settings all;
+  for (const SettingInfo& info : describe({})) {
+    std::string other = info.value == "true" ? "false" : "true";
+    if (info.kind == SettingInfo::Kind::choice)
+      other = info.choices[0] == info.value ? info.choices[1] : info.choices[0];
+    if (info.kind == SettingInfo::Kind::integer) {
+      const int low = static_cast<int>(info.low), high = static_cast<int>(info.high);
+      other = std::to_string(info.value == std::to_string(low) ? high : low);
+    }
+    if (info.kind == SettingInfo::Kind::real) other = "0.12345";
+    Settings one, read;
+    set(one, info.name, other);
+    set(all, info.name, other);
+    applySettingsText(read, settingsText(one), "a.toml");
+    EXPECT_EQ(read, one) << info.name;
+    EXPECT_NE(read, Settings()) << info.name;
+  }
+  Settings read;
+  applySettingsText(read, settingsText(all), "a.toml");
+  EXPECT_EQ(read, all);
+}
+
+TEST(SettingsFile, TextOfSettingsNamesWhatItMust) {
+  Settings settings;
+  settings.select.mode = SelectMode::all;
+  settings.voxels.perTriangle = 2.5f;
+  const std::string always[] = {"trace.method", "voxels.resolution"};
+  EXPECT_EQ(settingsText(settings, always),
+            "[select]\nmode = \"all\"\n\n[voxels]\nresolution = 512\nper_triangle = 2.5\n\n[trace]\nmethod = "
+            "\"identity\"\n");
+}
+
 TEST(SettingsFile, NamesFileAndLineOfWhatIsWrong) {
   EXPECT_EQ(problemOf("[voxels]\nresolution = 32\nresolutoin = 3\n"), "a.toml:3: unknown setting 'voxels.resolutoin'");
   EXPECT_EQ(problemOf("\n[nonsense]\na = 1\n"), "a.toml:2: unknown section [nonsense]");
