@@ -6,6 +6,7 @@
 namespace halfsilver {
 
 void addRenderCommand(CLI::App& program);
+void addTuneCommand(CLI::App& program);
 void addInfoCommand(CLI::App& program);
 void addCompareCommand(CLI::App& program);
 void addPresetsCommand(CLI::App& program);

@@ -49,6 +49,7 @@ const char* version() { return HALFSILVER_VERSION; }
 int runProgram(int argc, const char* const* argv) {
   CLI::App program("Rasterization with selective ray-traced reflections, without a display.", "halfsilver");
   addRenderCommand(program);
+  addTuneCommand(program);
   addInfoCommand(program);
   addCompareCommand(program);
   addPresetsCommand(program);

@@ -25,7 +25,7 @@ void expectRefused(const TemporaryFolder& folder, const std::string& arguments, 
 
 TEST(ExitCodes, HelpAndVersionAreFine) {
   const TemporaryFolder folder;
-  for (const char* arguments : {"--help", "--version", "render --help", "compare --help", "presets"}) {
+  for (const char* arguments : {"--help", "--version", "render --help", "tune --help", "compare --help", "presets"}) {
     const ProgramResult result = runProgramIn(folder, arguments);
     EXPECT_EQ(result.exitCode, 0) << arguments;
     EXPECT_NE(result.out, "") << arguments;
@@ -57,6 +57,18 @@ TEST(ExitCodes, WrongUsageIs2) {
   expectRefused(folder, "render builtin:sphere -o a.png --threads 0", 2, "threads");
 }
 
+TEST(ExitCodes, WrongTuningIs2) {
+  const TemporaryFolder folder;
+  const std::string tune = "tune builtin:sphere -o c.toml ";
+  for (const char* error : {"-1", "1.5", "nan", "x"})
+    expectRefused(folder, tune + "--max-error " + error, 2, "--max-error");
+  expectRefused(folder, "tune", 2, "SCENE");
+  expectRefused(folder, tune + "--size 0x0", 2, "size");
+  expectRefused(folder, tune + "--repeat 0", 2, "repeat");
+  expectRefused(folder, tune + "--preset nosuch", 2, "kastrati2017");
+  expectRefused(folder, tune + "--set trace.method=exact", 2, "trace.method");
+}
+
 TEST(ExitCodes, NamesThatTheSceneLacksAre2AndListTheKnown) {
   const TemporaryFolder folder;
   writeWall(folder);
@@ -80,6 +92,8 @@ TEST(ExitCodes, BadScenesAre3) {
   expectRefused(folder, "render empty.gltf -o a.png", 3, "empty.gltf");
   expectRefused(folder, "render . -o a.png", 3);
   expectRefused(folder, "render builtin:nosuch -o a.png", 3, "atrium");
+  expectRefused(folder, "tune builtin:nosuch -o c.toml", 3, "atrium");
+  expectRefused(folder, "tune missing.glb -o c.toml", 3, "missing.glb");
   expectRefused(folder, "info garbage.glb", 3, "garbage.glb");
   expectRefused(folder, "info missing.glb --json", 3, "missing.glb");
 }
@@ -95,6 +109,8 @@ TEST(ExitCodes, BadConfigurationIs3AndNamesTheLine) {
   expectRefused(folder, render + "--set nosuch.key=1", 3, "nosuch.key");
   expectRefused(folder, render + "--set voxels.resolution=0", 3, "voxels.resolution");
   expectRefused(folder, render + "--set select.mode=some", 3, "reflective");
+  expectRefused(folder, "tune builtin:sphere -o c.toml --config bad.toml", 3, "bad.toml:3: ");
+  expectRefused(folder, "tune builtin:sphere -o c.toml --set nosuch.key=1", 3, "nosuch.key");
 }
 
 TEST(ExitCodes, BadImagesAre3) {
@@ -115,6 +131,7 @@ TEST(ExitCodes, WhatCannotBeWrittenIs1BeforeAnyWork) {
   expectRefused(folder, "render missing.glb -o folder.png", 1, "folder.png");
   expectRefused(folder, "render missing.glb -o a.png --stats file/s.json", 1, "file/s.json");
   expectRefused(folder, "render missing.glb -o a.png --layers nowhere/l.exr", 1, "nowhere/l.exr");
+  expectRefused(folder, "tune missing.glb -o nowhere/c.toml", 1, "nowhere/c.toml");
 }
 
 TEST(ExitCodes, NoContextIs4) {

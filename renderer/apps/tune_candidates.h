@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "apps/view_request.h"
+#include "settings.h"
+
+// What `tune` tries.
+namespace halfsilver {
+
+struct Candidate {
+  std::string preset;              // that the structure's settings start from
+  std::vector<std::string> tuned;  // names of the settings that the search varies
+  Settings settings;               // all of them, as they are to be used
+
+  // "kastrati2017 search.steps=3 voxels.resolution=64": what tells it from the others.
+  std::string text() const;
+};
+
+// Candidates that differ in one setting, which grows: each needs more memory than the one before.
+using Ladder = std::vector<Candidate>;
+
+// The identity method over voxels a triangle, and the attribute method over steps, voxels and texels. What is drawn
+// comes from the request's preset or file, the structure (voxels, abuffer, search, trace.method) from the method's own
+// preset; what the request names by --set stays as it is, and equal candidates are one. Throws Error: usage where
+// nothing is left to try, or as the settings themselves do.
+std::vector<Ladder> tuneLadders(const ViewRequest& request);
+
+}  // namespace halfsilver
