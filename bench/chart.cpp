@@ -136,7 +136,7 @@ std::string gnuplotScript(const PanelGrid& grid, ChartFormat format) {
   script << terminal(format, 440.0 * static_cast<double>(grid.columns), 360.0 * static_cast<double>(rows))
          << "set multiplot layout " << rows << ',' << grid.columns << '\n'
          << "set grid lc rgb \"#dddddd\"\nset border 3\nset tics nomirror out\n"
-         << "set key bmargin center horizontal samplen 1.5 font \",10\"\n";
+         << "set bmargin 6\nset key bmargin center horizontal samplen 1.5 font \",10\"\n";
   for (std::size_t index = 0; index < grid.panels.size(); ++index) {
     const Panel& panel = grid.panels[index];
     script << "set title " << quoted(panel.title) << "\nset xlabel " << quoted(panel.xAxis) << "\nset ylabel "

@@ -20,7 +20,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr int kSteps = 32;  // the paper's
-constexpr int kFrames = 3;  // measured for each point
+constexpr int kRounds = 3;  // all points of a scene and preset, again and again
 
 // In the order of measurement.
 std::vector<int> steps(bool quick) {
@@ -60,27 +60,32 @@ void runCoverage(const Request& request) {
   Points points(folder / "coverage.json", "coverage");
 
   std::vector<Task> tasks;
+  const auto plan = [&](const BenchScene& scene, const std::string& preset, int round, int step,
+                        SelectPattern pattern) {
+    const std::size_t triangles = scene.model.scene.triangles.size();
+    Settings settings = curveSettings(preset, pattern, request.quick, triangles);
+    settings.select.fraction = static_cast<float>(step) / kSteps;
+    Json key = pointKey(bench.describe(scene, settings), scene);
+    key["preset"] = preset;
+    key["round"] = round;
+    const std::string label =
+        scene.name + ", " + preset + ", " + std::to_string(step) + "/" + std::to_string(kSteps) + " of the screen";
+    // Time grows with what is traced, above what every frame takes.
+    const double work = (20000 + static_cast<double>(triangles)) * (8 + step);
+    tasks.push_back({std::move(key), label, work, [&, settings, keeps = step == kSteps](Json& point) {
+                       RunStatistics run = bench.describe(scene, settings);
+                       bench.draw(scene, run);
+                       addMeasured(point, run);
+                       addTimes(point, run);
+                       if (keeps) keepPicture(folder, scene, bench);
+                     }});
+  };
   for (const BenchScene& scene : scenes)
     for (const std::string& preset : request.presets)
-      for (const int step : steps(request.quick))
-        for (const SelectPattern pattern : {SelectPattern::region, SelectPattern::scattered}) {
-          const std::size_t triangles = scene.model.scene.triangles.size();
-          Settings settings = curveSettings(preset, pattern, request.quick, triangles);
-          settings.select.fraction = static_cast<float>(step) / kSteps;
-          Json key = pointKey(bench.describe(scene, settings), scene);
-          key["preset"] = preset;
-          const std::string label = scene.name + ", " + preset + ", " + std::to_string(step) + "/" +
-                                    std::to_string(kSteps) + " of the screen";
-          // Time grows with what is traced, above what every frame takes.
-          const double work = (20000 + static_cast<double>(triangles)) * (8 + step);
-          tasks.push_back({std::move(key), label, work, [&, settings, preset, step](Json& point) {
-                             RunStatistics run = bench.describe(scene, settings);
-                             bench.draw(scene, run, kFrames);
-                             addMeasured(point, run);
-                             addTimes(point, run);
-                             if (step == kSteps && preset == request.presets.front()) keepPicture(folder, scene, bench);
-                           }});
-        }
+      for (int round = 0; round < (request.quick ? 1 : kRounds); ++round)
+        for (const int step : steps(request.quick))
+          for (const SelectPattern pattern : {SelectPattern::region, SelectPattern::scattered})
+            plan(scene, preset, round, step, pattern);
   const PointList measured = measureAll(points, tasks);
 
   const CoverageCurves curves = coverageCurves(measured);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <string_view>
 
 #include "apps/statistics.h"
@@ -150,7 +151,7 @@ std::vector<std::string> remarks(const CoverageCurves& curves, const Quantity& q
   return lines;
 }
 
-// By how much the frames of a point differ: the median of all points.
+// By how much the rounds of a point differ: the median of all points.
 double spread(const CoverageCurve& curve) {
   std::vector<double> spreads;
   for (const Json& point : curve.points) spreads.push_back(time(point, "trace", "max") - time(point, "trace", "min"));
@@ -163,16 +164,15 @@ std::string linearity(const CoverageCurves& curves) {
     std::string text = "R² ";
     text += rSquaredText(f);
     text += ", points lie ";
-    text += number(f.line->residual, 2) + " ms off the line, the frames of a point differ by ";
+    text += number(f.line->residual, 2) + " ms off the line, the rounds of a point differ by ";
     return text + number(spread(curve), 2) + " ms";
   });
   std::string text = "The time of the trace counts as a line where R² is at least ";
   text += number(kLinear, 2);
   if (bent.empty()) return paragraph(text + ": everywhere.");
-  return paragraph(
-             text +
-             ". These curves are none. Where points lie no further off than the frames of one point differ, it is "
-             "the measurement that scatters; else the curve bends.") +
+  return paragraph(text +
+                   ". These curves are none. Where points lie no further off than the rounds of a point differ, it is "
+                   "the measurement that scatters; else the curve bends.") +
          bullets(bent);
 }
 
@@ -187,6 +187,17 @@ std::string smallShares(const CoverageCurves& curves) {
     html += dear.empty() ? paragraph(name + ": so everywhere.") : paragraph(name + ": more in") + bullets(dear);
   }
   return html;
+}
+
+Json oneOfRounds(std::span<const Json> rounds) {
+  Json point = rounds.front();
+  for (auto& [stage, times] : point["time_ms"].items()) {
+    std::vector<double> all;
+    for (const Json& round : rounds) all.push_back(time(round, stage.c_str()));
+    const auto [least, most] = std::minmax_element(all.begin(), all.end());
+    times = {{"median", median(all)}, {"min", *least}, {"max", *most}, {"runs", all.size()}};
+  }
+  return point;
 }
 
 Curve chartCurve(const std::string& name, const CoverageCurve& curve, const Quantity& quantity, const char* stage,
@@ -219,8 +230,8 @@ constexpr const char* kIntroduction =
 
 constexpr const char* kMethod =
     "<ul>\n"
-    "<li>Each point is the median of three frames, after at least one that is not counted; bars reach from the fastest "
-    "to the slowest.</li>\n"
+    "<li>All points are measured in three rounds (quick: one), each after a frame that is not counted. A point is the "
+    "median of its rounds; bars reach from the fastest to the slowest.</li>\n"
     "<li>The shares are not measured one after the other but far apart (0, all, 1/2, 1/4, 3/4, ...), both patterns in "
     "turn: a machine that slowly warms up or gets other work scatters the points and does not look like a trend.</li>\n"
     "<li>The axis shows the share that was traced in the end. Pixels without a surface are never traced, so it may end "
@@ -261,9 +272,18 @@ CoverageCurves coverageCurves(const PointList& points) {
     if (curve == curves.end()) curve = curves.insert(curves.end(), of);
     curve->points.push_back(point);
   }
-  for (CoverageCurve& curve : curves)
-    std::sort(curve.points.begin(), curve.points.end(),
-              [](const Json& a, const Json& b) { return fraction(a) < fraction(b); });
+  for (CoverageCurve& curve : curves) {
+    std::stable_sort(curve.points.begin(), curve.points.end(),
+                     [](const Json& a, const Json& b) { return fraction(a) < fraction(b); });
+    PointList merged;
+    for (auto first = curve.points.begin(); first != curve.points.end();) {
+      const auto last =
+          std::find_if(first, curve.points.end(), [&](const Json& p) { return fraction(p) != fraction(*first); });
+      merged.push_back(oneOfRounds({first, last}));
+      first = last;
+    }
+    curve.points = std::move(merged);
+  }
   return curves;
 }
 
@@ -328,7 +348,8 @@ PanelGrid coverageChart(const CoverageCurves& curves) {
   for (const CoverageCurve& region : curves) {
     if (region.pattern != "region") continue;
     const std::string title = region.scene + ", " + region.preset;
-    Panel trace{title, xAxis, "trace, ms", {}}, total{title, xAxis, "frame, ms", {}}, held{title, xAxis, "MB", {}};
+    Panel trace{title, xAxis, "trace, ms", {}}, total{title, xAxis, "frame, ms", {}},
+        held{title, xAxis, "structure, MB", {}};
     std::size_t color = 0;
     for (const char* pattern : {"region", "scattered"}) {
       const CoverageCurve* curve = sibling(curves, region, pattern);
@@ -336,8 +357,8 @@ PanelGrid coverageChart(const CoverageCurves& curves) {
       trace.curves.push_back(chartCurve(pattern, *curve, kTrace, "trace", color));
       if (const std::optional<Curve> line = fittedCurve(*curve, kTrace, color)) trace.curves.push_back(*line);
       total.curves.push_back(chartCurve(pattern, *curve, kFrame, "frame", color));
-      held.curves.push_back(chartCurve(std::string("structure, ") + pattern, *curve, kStructure, nullptr, color));
-      held.curves.push_back(chartCurve(std::string("pool used, ") + pattern, *curve, kPool, nullptr, color + 2));
+      held.curves.push_back(chartCurve(pattern, *curve, kStructure, nullptr, color));
+      held.curves.push_back(chartCurve(std::string(pattern) + ", pool used", *curve, kPool, nullptr, color + 2));
       ++color;
     }
     for (Panel& panel : std::array{trace, total, held}) grid.panels.push_back(std::move(panel));

@@ -18,7 +18,7 @@ struct CoverageCurve {
 };
 using CoverageCurves = std::vector<CoverageCurve>;
 
-// In the order in which they occur first.
+// In the order in which they occur first. Rounds become one point: its times are their median, least and most.
 CoverageCurves coverageCurves(const PointList& points);
 
 Table coverageCsv(const CoverageCurves& curves);      // plain numbers, one row a point

@@ -69,7 +69,7 @@ RunStatistics Workbench::describe(const BenchScene& scene, const Settings& setti
   return run;
 }
 
-void Workbench::draw(const BenchScene& scene, RunStatistics& run, int frames) {
+void Workbench::draw(const BenchScene& scene, RunStatistics& run) {
   if (scene_ != &scene) {
     renderer_.reset();  // its memory goes before the new one's comes
     renderer_.emplace(context_.getProcAddress(), exactFactory(scene.model.scene, 0));
@@ -77,12 +77,10 @@ void Workbench::draw(const BenchScene& scene, RunStatistics& run, int frames) {
     scene_ = &scene;
   }
   run.warmUpFrames = drawFirstFrame(*renderer_, scene.camera, run.settings, target_.target(), run.report);
-  StageTimes times;
   // A pool that was sized by a first guess gets the size that the frame before asked for.
-  for (int frame = 0; frame < frames; ++frame) {
-    drawNext(scene, run);
-    times.add(run.report.times);
-  }
+  drawNext(scene, run);
+  StageTimes times;
+  times.add(run.report.times);
   run.stages = times.summarize();
 }
 

@@ -42,9 +42,9 @@ class Workbench {
   // What identifies the device, the scene, the size and the settings of a run; nothing is drawn.
   RunStatistics describe(const BenchScene& scene, const Settings& settings) const;
 
-  // Draws whole frames after one or more to warm up; `run` gets the times of all and the report of the last. The scene
-  // must live until the next one. Throws Error (failed) where GL complains.
-  void draw(const BenchScene& scene, RunStatistics& run, int frames = 1);
+  // Draws one whole frame after one or more to warm up; `run` gets its times and report. The scene must live until the
+  // next one. Throws Error (failed) where GL complains.
+  void draw(const BenchScene& scene, RunStatistics& run);
 
   // Draws one more frame of the scene that was drawn last, with whatever room its structures have.
   void drawNext(const BenchScene& scene, RunStatistics& run);
