@@ -82,7 +82,7 @@ void runCoverage(const Request& request) {
   };
   for (const BenchScene& scene : scenes)
     for (const std::string& preset : request.presets)
-      for (int round = 0; round < (request.quick ? 1 : kRounds); ++round)
+      for (int round = 0; round < kRounds; ++round)
         for (const int step : steps(request.quick))
           for (const SelectPattern pattern : {SelectPattern::region, SelectPattern::scattered})
             plan(scene, preset, round, step, pattern);

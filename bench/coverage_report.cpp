@@ -230,7 +230,7 @@ constexpr const char* kIntroduction =
 
 constexpr const char* kMethod =
     "<ul>\n"
-    "<li>All points are measured in three rounds (quick: one), each after a frame that is not counted. A point is the "
+    "<li>All points are measured in three rounds, each after a frame that is not counted. A point is the "
     "median of its rounds; bars reach from the fastest to the slowest.</li>\n"
     "<li>The shares are not measured one after the other but far apart (0, all, 1/2, 1/4, 3/4, ...), both patterns in "
     "turn: a machine that slowly warms up or gets other work scatters the points and does not look like a trend.</li>\n"

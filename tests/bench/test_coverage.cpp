@@ -10,7 +10,7 @@
 namespace halfsilver {
 namespace {
 
-const std::string kQuick = "coverage builtin:sphere -o DIR --quick --size 96x54";
+const std::string kQuick = "coverage builtin:sphere -o DIR --quick --size 64x36";
 
 TEST(BenchCoverage, MeasuresOnceAndReports) {
   const TemporaryFolder folder;
@@ -24,7 +24,7 @@ TEST(BenchCoverage, MeasuresOnceAndReports) {
 
   const std::string text = readText(folder / "DIR/coverage.json");
   const nlohmann::json record = readJson(folder / "DIR/coverage.json");
-  ASSERT_EQ(record["points"].size(), 10u);
+  ASSERT_EQ(record["points"].size(), 30u);
   std::map<std::string, std::map<double, nlohmann::json>> curves;
   for (const auto& point : record["points"])
     curves[point["settings"]["select.pattern"]][point["settings"]["select.fraction"]] = point;
