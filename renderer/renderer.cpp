@@ -157,6 +157,8 @@ void Renderer::Impl::render(const Camera& camera, const Settings& wanted, const 
     hits[0] = Hits();
   scene.bind();
   compositePass.run(gbuffer, CompositePass::Output::display, target.framebuffer, {target.x, target.y}, profiler);
+  scene.moved.clear();
+  scene.drawnGeometry = scene.geometry;
 }
 
 FrameReport Renderer::Impl::report() {

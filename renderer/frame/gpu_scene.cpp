@@ -160,16 +160,16 @@ void updateVertices(GpuScene& gpu, const Scene& scene, std::span<const VertexRan
   if (scene.vertices.size() != gpu.vertexCount)
     throw Error(ErrorKind::usage, "the scene has " + std::to_string(scene.vertices.size()) + " vertices, " +
                                       std::to_string(gpu.vertexCount) + " were uploaded");
-  for (const VertexRange& range : ranges) {
+  // All are checked before any is written.
+  for (const VertexRange& range : ranges)
     if (range.first > gpu.vertexCount || range.count > gpu.vertexCount - range.first)
       throw Error(ErrorKind::usage, "vertices " + std::to_string(range.first) + " + " + std::to_string(range.count) +
                                         " are beyond the scene's " + std::to_string(gpu.vertexCount));
-    writeVertices(gpu, scene, range.first, range.count);
-  }
+  for (const VertexRange& range : ranges) writeVertices(gpu, scene, range.first, range.count);
   if (ranges.empty()) return;
   gpu.bounds = scene.bounds();
   gpu.core = findCore(scene);
-  gpu.moved.assign(ranges.begin(), ranges.end());
+  gpu.moved.insert(gpu.moved.end(), ranges.begin(), ranges.end());
   ++gpu.geometry;
 }
 

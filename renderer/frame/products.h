@@ -33,8 +33,9 @@ struct GpuScene {
   std::uint32_t triangleCount = 0;
   Bounds bounds;
   SceneCore core;
-  std::uint32_t geometry = 0;      // grows with every change of the vertices
-  std::vector<VertexRange> moved;  // by the last change
+  std::uint32_t geometry = 0;       // grows with every change of the vertices
+  std::uint32_t drawnGeometry = 0;  // what it was in the last frame
+  std::vector<VertexRange> moved;   // since then
   std::vector<std::string> warnings;
 
   // Binds SSBO_POSITIONS .. SSBO_MATERIALS, the material textures and the sky.

@@ -3,9 +3,10 @@
 #define HALFSILVER_TRACING_H
 
 // Voxels are packed eight to a word: four bits each, of which bits 0..2 say in which A-buffers (x, y, z) the voxel's
-// fragments are.
+// fragments are. Bit 3 is set where moved triangles came to at the last move (identity only).
 #define VOXELS_PER_WORD 8
 #define VOXEL_BITS 4
+#define VOXEL_MOVED 8u
 
 // A head word is 0 for an empty texel, else (page + 1) << PAGE_FILL_BITS | entries in that page. HEAD_INCOMPLETE is set
 // where the pool had no room for a fragment: a ray that comes by is an overflow, not a miss.

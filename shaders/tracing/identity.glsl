@@ -12,7 +12,8 @@ layout(std430, binding = SSBO_OUTER) readonly buffer OuterBlock {
   uint outer[];
 };
 layout(std430, binding = SSBO_LIST_BUILD) coherent buffer ListBuildBlock { ListBuild listBuild; };
-uniform int lookAhead;  // bricks with triangles that a waiting ray requests
+uniform uint mostRequests;  // in one dispatch
+uniform int lookAhead;      // bricks with triangles that a waiting ray requests
 
 void testCandidate(TraceRay ray, uint triangle, inout Hit best) {
   vec3 a, b, c;
@@ -30,8 +31,9 @@ void testCandidate(TraceRay ray, uint triangle, inout Hit best) {
 }
 
 void requestBrick(uint brick) {
-  if (atomicCompSwap(bricks[brick], BRICK_MISSING, BRICK_CLAIMED) == BRICK_MISSING)
-    bricks[brick] = BRICK_REQUESTED + atomicAdd(listBuild.requested, 1u);
+  if (atomicCompSwap(bricks[brick], BRICK_MISSING, BRICK_CLAIMED) != BRICK_MISSING) return;
+  uint number = atomicAdd(listBuild.requested, 1u);
+  bricks[brick] = number < mostRequests ? BRICK_REQUESTED + number : BRICK_MISSING;
 }
 
 void requestAhead(TraceRay ray, ivec3 voxel, float end) {
@@ -51,15 +53,16 @@ void requestAhead(TraceRay ray, ivec3 voxel, float end) {
 bool march(TraceRay ray, inout float t, float end, inout vec2 left, inout Hit best) {
   int work = 0;
   uint done = uint(left.y);
-  if (left.x > 0.0) testCandidate(ray, uint(left.x) - 1u, best);
   for (uint i = 0u; i < outerCount; ++i) testCandidate(ray, outer[i], best);
+  end = min(end, best.t);
+  if (left.x > 0.0) testCandidate(ray, uint(left.x) - 1u, best);
   bool yielded = false;
   uvec2 list = uvec2(0u);  // what is left of the voxel's candidates
   uint first = 0u;         // where they begin
   ivec3 voxel = voxelAt(ray, t);
   Cell cell = Cell(voxel, 1, vec3(0.0));  // the voxel, or the whole brick where that is empty
   float leave = t;
-  bool going = t < end, entered = false;
+  bool going = t <= end || done > 0u, entered = false;  // a voxel that was begun is done to its end
   while (going) {
     // On to the next candidate. Walking and testing take turns, so that rays beside each other stay busy.
     while (going && list.x == list.y) {
@@ -69,7 +72,7 @@ bool march(TraceRay ray, inout float t, float end, inout vec2 left, inout Hit be
         if (going) {
           left = vec2(0.0);
           t = leave;
-          yielded = ++work >= workLimit;
+          yielded = ++work >= workLimit && voxelAt(ray, t) == voxel;
           going = !yielded;
         }
       }
@@ -95,15 +98,17 @@ bool march(TraceRay ray, inout float t, float end, inout vec2 left, inout Hit be
       testCandidate(ray, runs[list.x], best);
       ++list.x;
       if (++work >= workLimit && list.x != list.y) {
-        // From the middle of the voxel's stretch the walk starts in this voxel again, but for the shortest ones, which
-        // begin anew: there is no telling where rounding puts them.
+        // From the middle of the voxel's stretch the walk starts in this voxel again, but for the shortest ones: there
+        // is no telling where rounding puts them.
         float middle = 0.5 * (t + leave);
         if (voxelAt(ray, middle) == voxel) {
           t = middle;
           left = vec2(best.t < farAway ? float(best.triangle + 1u) : 0.0, float(list.x - first));
+          yielded = true;
+          going = false;
+        } else {
+          list.x = list.y;  // too short a stretch to come back to; its neighbours' lists reach over it
         }
-        yielded = true;
-        going = false;
       }
     }
   }

@@ -20,7 +20,7 @@
 #include "tracing/bricks.glsl"
 
 #ifdef MOVE
-layout(std430, binding = SSBO_LIST_BUILD) coherent buffer ListBuildBlock { ListBuild listBuild; };
+#include "tracing/give_up.glsl"
 #else
 #include "tracing/brick_build.glsl"
 uniform int secondStep;
@@ -32,11 +32,8 @@ layout(location = 1) flat in int inAxis;
 
 #ifdef MOVE
 void visitVoxel(ivec3 brick) {
-  markVoxel(brick, 1u << uint(inAxis));
-  uint run = atomicExchange(bricks[voxelIndex(brick)], BRICK_MISSING);
-  if (!present(run)) return;
-  atomicAdd(listBuild.stale, runWords(run));
-  atomicAdd(listBuild.staleHeaders, headerWords(run));
+  markVoxel(brick, 1u << uint(inAxis) | VOXEL_MOVED);
+  giveUp(voxelIndex(brick));
 }
 #else
 void visitVoxel(ivec3 voxel) {

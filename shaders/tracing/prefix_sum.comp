@@ -68,6 +68,9 @@ void store(uint item, uint sum) {
 
 shared uint partial[SUM_GROUP];
 
+// Sums that are too large for a word stay the largest one, which finds no room anywhere.
+uint plus(uint a, uint b) { return a + b < a ? 0xffffffffu : a + b; }
+
 // Inclusive sums of the group's values.
 uint groupSum(uint value) {
   uint lane = gl_LocalInvocationIndex;
@@ -76,7 +79,7 @@ uint groupSum(uint value) {
   for (uint reach = 1u; reach < SUM_GROUP; reach *= 2u) {
     uint other = lane >= reach ? partial[lane - reach] : 0u;
     barrier();
-    partial[lane] += other;
+    partial[lane] = plus(partial[lane], other);
     barrier();
   }
   return partial[lane];
@@ -90,7 +93,7 @@ void main() {
     uint value = first + lane < blockCount ? blockSums[first + lane] : 0u;
     uint sum = groupSum(value);
     if (first + lane < blockCount) blockSums[first + lane] = carry + sum - value;
-    carry += partial[SUM_GROUP - 1];
+    carry = plus(carry, partial[SUM_GROUP - 1]);
     barrier();
   }
   if (lane == 0u) listBuild.total = carry;

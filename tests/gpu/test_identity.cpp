@@ -4,6 +4,7 @@
 #include <set>
 #include <string>
 
+#include "core/error.h"
 #include "gpu/shader_function.h"
 #include "gpu/tracing_scenes.h"
 
@@ -168,6 +169,22 @@ TEST_F(LongListTest, BeyondTheLoopLimitIsComplete) {
   EXPECT_EQ(frame.report.memory.fragmentsStored, 30003u);
 }
 
+// Rays in the plane of voxel edges, beside long lists: their stretches in the voxels beyond the edge are shorter than
+// rounding, and leaving those to the next dispatch must not send them back for ever.
+TEST_F(LongListTest, RaysAlongVoxelEdgesComeThrough) {
+  Scene scene;
+  scene.materials = {mirrorMaterial(), plain({0.8f, 0.3f, 0.2f})};
+  addQuad(scene, {-1, -1, 1}, {1, -1, 1}, {1, -1, -1}, {-1, -1, -1}, 0);
+  addTriangle(scene, {1, 1, 1}, {1, 0.999f, 1}, {0.999f, 1, 1}, 1);
+  addTriangle(scene, {-1, 1, -1}, {-1, 0.999f, -1}, {-0.999f, 1, -1}, 1);
+  const int count = 24000;
+  for (int i = 0; i < count; ++i) {
+    const float c = -0.99f + 1.98f * static_cast<float>(i) / count, h = 1 - std::abs(c);
+    addTriangle(scene, {c - h, -0.99f, c + h}, {c, 0.99f, c}, {c + h, -0.99f, c - h}, 1);
+  }
+  drawExactly(scene, lookAt({0.95f, -0.3f, 0.95f}, {-0.2f, -1, -0.2f}), "4", 41, 31);
+}
+
 // What is built is what rays need, in memory of that size; it stays, and grows by what other rays need.
 TEST_F(TracingTest, ListsAreBuiltOnDemandAndStay) {
   const Scene scene = soup(3000);
@@ -229,6 +246,47 @@ TEST_F(TracingTest, MovingTrianglesAreFollowed) {
     for (const float id : frame.plane("hit.id")) ids.insert(id);
     EXPECT_GT(std::count_if(ids.begin(), ids.end(), [](float id) { return id >= 2004; }), 0) << step;
   }
+}
+
+// Lists do not grow along the way of what moves, and several changes between two frames are followed like one.
+TEST_F(TracingTest, MovingTrianglesLeaveNothingBehind) {
+  Scene scene = soup(2000);
+  addTriangle(scene, {-2.2f, -0.2f, -2.2f}, {-2.2f, -0.19f, -2.2f}, {-2.19f, -0.2f, -2.2f}, 1);
+  addTriangle(scene, {2.2f, 2.0f, 2.2f}, {2.2f, 1.99f, 2.2f}, {2.19f, 2.0f, 2.2f}, 1);
+  const auto first = static_cast<std::uint32_t>(scene.vertices.size());
+  for (int i = 0; i < 600; ++i) {
+    const float x = -1.5f + 0.001f * static_cast<float>(i % 25), z = -1 + 0.004f * static_cast<float>(i / 25);
+    addTriangle(scene, {x, 0.2f, z}, {x + 0.02f, 0.2f, z}, {x, 0.22f, z}, 1);
+  }
+  const std::uint32_t half = 900;
+  const VertexRange parts[] = {{first, half}, {first + half, half}};
+  ASSERT_EQ(scene.vertices.size(), first + 2 * half);
+  Renderer renderer = makeRenderer(scene);
+  const Settings kept = settingsWith({});
+  Frame frame = drawWith(renderer, kAbove, kept, 80, 60);
+  for (int step = 0; step < 25; ++step) {
+    for (std::uint32_t v = first; v < first + 2 * half; ++v) scene.vertices[v].position.x += 0.1f;
+    for (const VertexRange& part : parts) renderer.updateVertices(scene, std::span(&part, 1));
+    frame = drawWith(renderer, kAbove, kept, 80, 60);
+  }
+  const Frame anew = drawOnce(scene, kAbove, kept, 80, 60);
+  EXPECT_EQ(frame.layers.data, anew.layers.data);
+  // Besides what other views would need, only the place where they stood first holds them still.
+  EXPECT_LT(frame.report.memory.fragmentsStored, anew.report.memory.fragmentsStored * 3 / 2);
+  EXPECT_GT(frame.report.memory.fragments, anew.report.memory.fragments) << "everything was built anew";
+}
+
+// A bad range is refused before anything has moved.
+TEST_F(TracingTest, BadRangesChangeNothing) {
+  Scene scene = soup(500);
+  Renderer renderer = makeRenderer(scene);
+  const Settings settings = settingsWith({});
+  const Frame before = drawWith(renderer, kAbove, settings, 80, 60);
+  const auto count = static_cast<std::uint32_t>(scene.vertices.size());
+  for (std::uint32_t v = 6; v < count; ++v) scene.vertices[v].position += glm::vec3(0.2f, 0.1f, -0.2f);
+  const VertexRange ranges[] = {{6, count - 6}, {count, 5}};
+  EXPECT_THROW(renderer.updateVertices(scene, ranges), Error);
+  EXPECT_EQ(drawWith(renderer, kAbove, settings, 80, 60).layers.data, before.layers.data);
 }
 
 }  // namespace

@@ -20,6 +20,8 @@ constexpr int kVerticesPerTriangle = 6;
 // and many small builds, or fewer builds of lists that nobody needs.
 constexpr int kFirstLookAhead = 2;
 constexpr int kMostLookAhead = 4096;
+// Bricks that one dispatch may ask for: 65 words each while they are built (8.5 MB).
+constexpr std::uint32_t kMostRequests = 32768;
 // Software rasterizers stop long loops; an invocation copies a run.
 constexpr std::uint64_t kLongestSoftwareCopy = 8000;
 // Room beyond what is needed where a pool grows that already holds lists: the next frame will want a little more.
@@ -31,9 +33,9 @@ gl::Program rasterProgram(const gl::Api& api, bool move) {
   return gl::Program::raster(api, "tracing/identity_build.vert", "tracing/identity_build.frag", defines);
 }
 
-gl::Program finishProgram(const gl::Api& api) {
-  const gl::Define finish[] = {{"FINISH"}};
-  return gl::Program::compute(api, "tracing/brick_states.comp", finish);
+gl::Program statesProgram(const gl::Api& api, const char* step) {
+  const gl::Define defines[] = {{step}};
+  return gl::Program::compute(api, "tracing/brick_states.comp", defines);
 }
 
 TracePass makeTracePass(const gl::Api& api, const Settings& settings) {
@@ -60,10 +62,10 @@ IdentityTracer::IdentityTracer(const gl::Api& api, const Settings& settings)
       keep_(settings.abuffer.keep),
       voxelPass_(api, VoxelRaster::conservative, settings.voxels.axis),
       placeSum_(api, "RUNS"),
-      setStates_(gl::Program::compute(api, "tracing/brick_states.comp")),
+      setStates_(statesProgram(api, "BEGIN")),
       cull_(gl::Program::compute(api, "tracing/identity_cull.comp")),
       build_(rasterProgram(api, false)),
-      finish_(finishProgram(api)),
+      finish_(statesProgram(api, "FINISH")),
       tracePass_(makeTracePass(api, settings)),
       vertexArray_(api),
       counters_(api) {}
@@ -73,9 +75,10 @@ void IdentityTracer::build(const GpuScene& scene, const RayQueue&, gl::Profiler&
   if (lost_ > 0) geometry_.reset();  // a full pool begins anew
   if (keep_ && geometry_ == scene.geometry) return;
   constexpr double kVoxels = BRICK_SIDE * BRICK_SIDE * BRICK_SIDE;
-  const double wanted = perTriangle_ * static_cast<double>(scene.triangleCount) / kVoxels;
+  const double voxels = perTriangle_ * static_cast<double>(scene.triangleCount);
+  const double wanted = perTriangle_ > 0 ? std::max(1.0, voxels / kVoxels) : 0.0;
   const Grid bricks = makeCubicGrid(scene.core.bounds, std::max(1, resolution_ / BRICK_SIDE), wanted);
-  const bool follows = keep_ && ownAxis_ && geometry_ && *geometry_ + 1 == scene.geometry && bricks == brickGrid_;
+  const bool follows = keep_ && ownAxis_ && geometry_ && *geometry_ == scene.drawnGeometry && bricks == brickGrid_;
   std::vector<GLuint> outer = {static_cast<GLuint>(scene.core.outer.size())};
   outer.insert(outer.end(), scene.core.outer.begin(), scene.core.outer.end());
   outer_ = gl::makeBuffer(*api_, std::span<const GLuint>(outer), "triangles beyond the grid");
@@ -92,15 +95,32 @@ void IdentityTracer::build(const GpuScene& scene, const RayQueue&, gl::Profiler&
 }
 
 // Lists may name triangles that have gone: the exact test sees where they are now. So only bricks that moved triangles
-// have come to matter: they are marked, and built anew once a ray asks.
+// have come to must be built anew, once a ray asks; those that they came to at the last move are given up, too, so that
+// lists do not grow along an object's path.
 void IdentityTracer::followMove(const GpuScene& scene) {
   if (!move_) {
     const gl::Define moved[] = {{"MOVED"}};
     collectMoved_ = gl::Program::compute(*api_, "tracing/identity_cull.comp", moved);
     move_ = rasterProgram(*api_, true);
+    leave_ = statesProgram(*api_, "LEAVE");
     compactSum_.emplace(*api_, "COMPACT");
   }
   resize(*api_, candidates_, scene.triangleCount * sizeof(GLuint), "candidates of a build");
+  noteTransient(0);
+  const auto noteStale = [&] {
+    shared::ListBuild state{};
+    api_->MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);  // counts (shaders) are read by the host
+    listBuild_.read(0, &state, sizeof(state));
+    stale_ += state.stale;
+    staleHeaders_ += state.staleHeaders;
+  };
+  clearListBuild();
+  bindStructure();
+  leave_.set("brickCount", brickCount());
+  dispatchFor(*api_, leave_, brickCount());
+  // States and marks (compute) are changed by fragments.
+  api_->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+  noteStale();
   for (const VertexRange& range : scene.moved) {
     clearListBuild();
     candidates_.bindStorage(SSBO_LINKS);
@@ -109,11 +129,7 @@ void IdentityTracer::followMove(const GpuScene& scene) {
     collectMoved_.set("vertexCount", static_cast<GLuint>(range.count));
     collect(collectMoved_, scene);
     rasterizeCandidates(move_, brickGrid_, scene);
-    shared::ListBuild state{};
-    api_->MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);  // counts (fragments) are read by the host
-    listBuild_.read(0, &state, sizeof(state));
-    stale_ += state.stale;
-    staleHeaders_ += state.staleHeaders;
+    noteStale();
   }
   clearListBuild();
   // Runs that were given up leave their words behind.
@@ -128,7 +144,7 @@ void IdentityTracer::compact() {
   const std::uint64_t wanted =
       std::min(capacity(), static_cast<std::uint64_t>(kHeadroom * static_cast<double>(used_ - stale_)) + 4);
   gl::Buffer together(*api_, wanted * kWordBytes, "A-buffer runs");
-  noteTransient(together.bytes());
+  noteTransient(runs_.bytes());
   bindStructure();
   together.bindStorage(SSBO_MOVED_RUNS);
   compactSum_->sum(brickCount());
@@ -179,6 +195,7 @@ void IdentityTracer::trace(const GpuScene& scene, const RayQueue& rays, Hits& hi
   grid_.apply(program);
   int lookAhead = kFirstLookAhead;
   program.set("lookAhead", lookAhead);
+  program.set("mostRequests", kMostRequests);
   bindStructure();
   outer_.bindStorage(SSBO_OUTER);
   tracePass_.run(rays, hits, profiler, [&] {
@@ -190,6 +207,7 @@ void IdentityTracer::trace(const GpuScene& scene, const RayQueue& rays, Hits& hi
     outer_.bindStorage(SSBO_OUTER);
     return more;
   });
+  if (used_ == 0) resize(*api_, runs_, 0, "A-buffer runs");  // what an earlier geometry needed
   candidates_ = gl::Buffer();
   brickBuilds_ = gl::Buffer();
 }
@@ -204,7 +222,7 @@ bool IdentityTracer::buildRequested(const GpuScene& scene) {
   candidates_.bindStorage(SSBO_LINKS);
   grid_.apply(cull_);
   collect(cull_, scene);
-  const std::size_t bytes = state.requested * kBrickBuildWords * kWordBytes;
+  const std::size_t bytes = std::min(state.requested, kMostRequests) * kBrickBuildWords * kWordBytes;
   if (brickBuilds_.bytes() < bytes) resize(*api_, brickBuilds_, bytes, "builds of bricks");
   brickBuilds_.fill(0);
   api_->MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);  // counts (clear) are added to by fragments

@@ -17,7 +17,8 @@ namespace halfsilver {
 //
 // The A-buffers' texels and depths are the voxels', and lists are built on demand, a brick of voxels at a time: a ray
 // that needs a brick asks for it and waits. What is asked for is counted, placed and filled in two passes over the
-// triangles that touch it, so the memory reserved is the memory used, and bricks that no ray needs cost a word each.
+// triangles that touch it, so the memory reserved is the memory used, and bricks that no ray needs cost a word each,
+// and four bits of the coarse grid.
 // Bricks stay until triangles move into them (ABufferSettings::keep).
 class IdentityTracer final : public Tracer {
  public:
@@ -51,7 +52,7 @@ class IdentityTracer final : public Tracer {
   PrefixSum placeSum_;
   gl::Program setStates_, cull_, build_, finish_;
   // Made with the first move.
-  gl::Program collectMoved_, move_;
+  gl::Program collectMoved_, move_, leave_;
   std::optional<PrefixSum> compactSum_;
   TracePass tracePass_;
   gl::EmptyVertexArray vertexArray_;
