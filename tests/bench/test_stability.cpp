@@ -1,7 +1,11 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "bench/flicker.h"
 #include "bench/stability_report.h"
+#include "contract/program.h"
+#include "scene/failures.h"
 
 namespace halfsilver::bench {
 namespace {
@@ -92,6 +96,35 @@ TEST(Stability, WhoSurvives) {
     point[name] = bad;
     EXPECT_FALSE(survives(point)) << name;
   }
+}
+
+// The default preset gets through every failure scene, still and in motion.
+TEST(BenchStability, TheDefaultSurvivesAll) {
+  const TemporaryFolder folder;
+  const ProgramResult result = runProgramIn(folder, "stability -o DIR --quick --size 96x64 --method halfsilver");
+  ASSERT_EQ(result.exitCode, 0) << result.err;
+  const nlohmann::json record = readJson(folder / "DIR/stability.json");
+  ASSERT_EQ(record["points"].size(), failureScenes().size());
+  for (const nlohmann::ordered_json point : record["points"]) {
+    EXPECT_TRUE(survives(point)) << point.dump();
+    EXPECT_GT(point["rays"].get<int>(), 2000) << point["scene"];
+    EXPECT_EQ(point["steps"], 3);
+  }
+  const std::vector<std::string> files = filesIn(folder);
+  for (const char* name : {"DIR/index.html", "DIR/stability.csv", "DIR/builtin-rods-reference.png"})
+    EXPECT_TRUE(std::binary_search(files.begin(), files.end(), name)) << name;
+}
+
+TEST(BenchStability, WhatFailsIsSaid) {
+  const TemporaryFolder folder;
+  const ProgramResult result =
+      runProgramIn(folder, "stability builtin:growing -o DIR --quick --size 96x64 --method kastrati2017");
+  ASSERT_EQ(result.exitCode, 0) << result.err;
+  const nlohmann::ordered_json point = readJson(folder / "DIR/stability.json")["points"][0];
+  EXPECT_FALSE(survives(point));
+  EXPECT_GT(point["lost_fragments"].get<std::uint64_t>(), 0u);
+  EXPECT_NE(readText(folder / "DIR/index.html").find("overflow"), std::string::npos);
+  EXPECT_EQ(runProgramIn(folder, "stability -o DIR --method nonesuch").exitCode, 2);
 }
 
 }  // namespace
