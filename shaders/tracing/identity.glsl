@@ -72,7 +72,7 @@ bool march(TraceRay ray, inout float t, float end, inout vec2 left, inout Hit be
         if (going) {
           left = vec2(0.0);
           t = leave;
-          yielded = ++work >= workLimit && voxelAt(ray, t) == voxel;
+          when (++work >= workLimit) yielded = voxelAt(ray, t) == voxel;  // or the next one's stretch is too short, too
           going = !yielded;
         }
       }
@@ -97,7 +97,7 @@ bool march(TraceRay ray, inout float t, float end, inout vec2 left, inout Hit be
     if (going && list.x != list.y) {
       testCandidate(ray, runs[list.x], best);
       ++list.x;
-      if (++work >= workLimit && list.x != list.y) {
+      when (++work >= workLimit && list.x != list.y) {
         // From the middle of the voxel's stretch the walk starts in this voxel again, but for the shortest ones: there
         // is no telling where rounding puts them.
         float middle = 0.5 * (t + leave);
