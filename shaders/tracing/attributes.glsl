@@ -93,12 +93,14 @@ bool facing(TraceRay ray, Sample s) { return dot(normalOf(s.nearest), ray.direct
 // Whether the ray meets a surface between two neighbouring points. Into a solid it goes where the second point is
 // inside, whether or not the wall that it passes left a fragment in this A-buffer: steep walls leave none. A sheet of
 // two sides has no inside: where the first point does not know it, or may know the surface that the ray leaves, that
-// must lie before the plane of what the second sees. A sheet is met from behind too.
+// must lie before the plane of what the second sees, or within half a texel of it: planes are known no better. A sheet
+// is met from behind too.
 bool crossed(TraceRay ray, int axis, Sample a, Sample b) {
   if (a.side >= 0.0 && b.side < 0.0) {
     if (!sheet(b)) return facing(ray, b);
     if (a.nearest != noFragment && !near(a.t, 1.0)) return true;
-    return planeSide(ray, axis, a.t, b.texel, b.nearestDepth, normalOf(b.nearest)) >= 0.0;
+    float halfTexel = 0.5 / (float(bufferResolution) * max(gridInverse.x, max(gridInverse.y, gridInverse.z)));
+    return planeSide(ray, axis, a.t, b.texel, b.nearestDepth, normalOf(b.nearest)) >= -halfTexel;
   }
   return a.side < 0.0 && b.side > 0.0 && sheet(b) && !facing(ray, a) && !facing(ray, b);
 }
