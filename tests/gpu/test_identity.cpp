@@ -16,6 +16,21 @@ struct IdentityCase {
   const char* axis;
 };
 
+class ExactTest : public TracingTest {
+ protected:
+  // The default preset's picture, which must be that of exact rays.
+  Frame expectExactFromAbove(const Scene& scene) {
+    const Frame exact = draw(scene, kAbove, settingsWith({{"trace.method", "exact"}}), 80, 60);
+    const Frame frame = draw(scene, kAbove, settingsWith({}), 80, 60);
+    const HitErrors errors = compareHits(frame, exact, scene.bounds().diagonal());
+    expectNontrivial(errors, exact);
+    EXPECT_EQ(errors.hitError, 0);
+    EXPECT_EQ(errors.wrongId, 0);
+    EXPECT_EQ(frame.report.overflow, 0u);
+    return frame;
+  }
+};
+
 class IdentityTest : public TracingTest, public ::testing::WithParamInterface<IdentityCase> {};
 
 // DDA against brute force: whatever the resolutions and the rule for axes, nothing is missed.
@@ -60,7 +75,7 @@ TEST_F(TracingTest, EveryScaleIsExact) {
 }
 
 // Thousands of thin rods that cross the whole scene: each touches many voxels, and voxels hold many of them.
-TEST_F(TracingTest, LatticesOfThinRodsAreExact) {
+TEST_F(ExactTest, LatticesOfThinRods) {
   Scene scene;
   scene.materials = {mirrorMaterial(), plain({0.8f, 0.3f, 0.2f})};
   scene.materials[1].doubleSided = true;
@@ -73,30 +88,18 @@ TEST_F(TracingTest, LatticesOfThinRodsAreExact) {
       addQuad(scene, {-2, b, a}, {2, b, a}, {2, b + w, a + w}, {-2, b + w, a + w}, 1);
       addQuad(scene, {a, b, -2}, {a, b, 2}, {a + w, b + w, 2}, {a + w, b + w, -2}, 1);
     }
-  const Frame exact = draw(scene, kAbove, settingsWith({{"trace.method", "exact"}}), 80, 60);
-  const Frame frame = draw(scene, kAbove, settingsWith({}), 80, 60);
-  const HitErrors errors = compareHits(frame, exact, scene.bounds().diagonal());
-  expectNontrivial(errors, exact);
-  EXPECT_EQ(errors.hitError, 0);
-  EXPECT_EQ(errors.wrongId, 0);
-  EXPECT_EQ(frame.report.overflow, 0u);
+  expectExactFromAbove(scene);
 }
 
 // A ground to the horizon is tested by every ray; the grid is that of what stands on it, and the picture the same.
-TEST_F(TracingTest, TrianglesBeyondTheGridAreHit) {
+TEST_F(ExactTest, TrianglesBeyondTheGrid) {
   Scene scene = soup(1500);
   addQuad(scene, {-900, 0.001f, 900}, {900, 0.001f, 900}, {900, 0.001f, 2.5f}, {-900, 0.001f, 2.5f}, 1);
   addQuad(scene, {-900, 500, -600}, {900, 500, -600}, {900, -1, -500}, {-900, -1, -500}, 1);
   const auto wall = static_cast<float>(scene.triangles.size() - 1);
   ASSERT_EQ(scene.triangles[static_cast<std::size_t>(wall)].material, 1u);
-  const Frame exact = draw(scene, kAbove, settingsWith({{"trace.method", "exact"}}), 80, 60);
-  const Frame frame = draw(scene, kAbove, settingsWith({}), 80, 60);
-  const HitErrors errors = compareHits(frame, exact, scene.bounds().diagonal());
-  expectNontrivial(errors, exact);
-  // The tolerance follows the diagonal, so the triangles are compared, too.
-  EXPECT_EQ(errors.hitError, 0);
-  EXPECT_EQ(errors.wrongId, 0);
-  EXPECT_EQ(frame.report.overflow, 0u);
+  // The tolerance follows the diagonal, but the triangles are compared, too.
+  const Frame frame = expectExactFromAbove(scene);
   const std::vector<float> ids = frame.plane("hit.id");
   EXPECT_GT(std::count_if(ids.begin(), ids.end(), [&](float id) { return id >= wall - 1 && id <= wall; }), 100);
 }
