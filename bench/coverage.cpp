@@ -77,7 +77,7 @@ void runCoverage(const Request& request) {
                        bench.draw(scene, run);
                        addMeasured(point, run);
                        addTimes(point, run);
-                       if (keeps) keepPicture(folder, scene, bench);
+                       if (keeps) keepPicture(folder, scene.name, bench);
                      }});
   };
   for (const BenchScene& scene : scenes)

@@ -100,7 +100,7 @@ class Measurement {
     addMeasured(point, run);
     point["single_over_three"] = singleOverThree(scene.model.scene);
     point["error"] = nullptr;
-    if (variant.name == kDefaultPreset) keepPicture(*folder_, scene, *bench_);
+    if (variant.name == kDefaultPreset) keepPicture(*folder_, scene.name, *bench_);
     if (exactFactory(scene.model.scene, 0)) {
       const Image layers = bench_->layers();
       const Image& truth = truth_.layers(*bench_, scene, variant.settings.select.mode);

@@ -11,22 +11,8 @@
 #include "io/atomic_file.h"
 
 namespace halfsilver::bench {
-namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::string pictureName(const BenchScene& scene) {
-  std::string name = scene.name;
-  std::replace(name.begin(), name.end(), ':', '-');
-  return name + ".png";
-}
-
-std::string readBytes(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-}  // namespace
 
 std::string number(double value, int digits) {
   char text[64];
@@ -49,15 +35,28 @@ std::string measuredWith(const Json& point) {
          point["size"][1].dump() + " pixels. All sizes are in MB, 10^6 bytes.";
 }
 
-void keepPicture(const OutputFolder& folder, const BenchScene& scene, const Workbench& bench) {
-  AtomicFile file(folder / pictureName(scene));
+std::string pictureFile(const std::string& name) {
+  std::string file = name;
+  for (char& c : file)
+    if (c == ':' || c == ' ') c = '-';
+  file += ".png";
+  return file;
+}
+
+std::string readBytes(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+void keepPicture(const OutputFolder& folder, const std::string& name, const Workbench& bench) {
+  AtomicFile file(folder / pictureFile(name));
   file.write(bench.thumbnail());
   file.commit();
 }
 
 std::vector<ScenePicture> readPictures(const OutputFolder& folder, const std::vector<BenchScene>& scenes) {
   std::vector<ScenePicture> pictures;
-  for (const BenchScene& scene : scenes) pictures.push_back({scene.name, readBytes(folder / pictureName(scene))});
+  for (const BenchScene& scene : scenes) pictures.push_back({scene.name, readBytes(folder / pictureFile(scene.name))});
   return pictures;
 }
 
@@ -82,8 +81,11 @@ std::string chartFigure(const std::optional<std::string>& svg, const std::string
 }
 
 void writeReport(const OutputFolder& folder, const Report& report) {
-  const std::optional<std::string> svg = runGnuplot(report.chart(ChartFormat::svg));
-  const std::optional<std::string> png = runGnuplot(report.chart(ChartFormat::png));
+  std::optional<std::string> svg, png;
+  if (report.chart) {
+    svg = runGnuplot(report.chart(ChartFormat::svg));
+    png = runGnuplot(report.chart(ChartFormat::png));
+  }
   std::vector<std::pair<std::string, std::string>> texts;
   for (const auto& [name, table] : report.tables) texts.emplace_back(name + ".csv", toCsv(table));
   if (svg) texts.emplace_back(report.mode + ".svg", *svg);
@@ -92,7 +94,7 @@ void writeReport(const OutputFolder& folder, const Report& report) {
   std::vector<AtomicFile> files;
   for (const auto& [name, text] : texts) files.emplace_back(folder / name).write(text);
   for (AtomicFile& file : files) file.commit();
-  if (svg) return;
+  if (svg || !report.chart) return;
   // Charts of an earlier run would not be those of this table.
   for (const char* extension : {".svg", ".png"}) std::filesystem::remove(folder / (report.mode + extension));
   std::cerr << "warning: gnuplot is not installed (Debian: gnuplot-nox); there are no charts\n";

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -33,8 +34,11 @@ struct ScenePicture {
   std::string png;  // bytes; empty where it is missing
 };
 
-// The last frame as the scene's picture in the folder.
-void keepPicture(const OutputFolder& folder, const BenchScene& scene, const Workbench& bench);
+// File of a picture in the folder: "builtin:sphere" is in builtin-sphere.png.
+std::string pictureFile(const std::string& name);
+// The last frame as a picture in the folder.
+void keepPicture(const OutputFolder& folder, const std::string& name, const Workbench& bench);
+std::string readBytes(const std::filesystem::path& file);  // nothing where it is missing
 std::vector<ScenePicture> readPictures(const OutputFolder& folder, const std::vector<BenchScene>& scenes);
 // The pictures side by side. `caption` tells what stands behind a scene's name and triangles.
 std::string gallery(const std::vector<ScenePicture>& scenes, const PointList& points,
@@ -46,7 +50,7 @@ std::string chartFigure(const std::optional<std::string>& svg, const std::string
 struct Report {
   std::string mode;                                                        // names the files
   std::vector<std::pair<std::string, Table>> tables;                       // name of the CSV file without ".csv"
-  std::function<std::string(ChartFormat)> chart;                           // a script for gnuplot
+  std::function<std::string(ChartFormat)> chart;                           // a script for gnuplot; may be empty
   std::function<std::string(const std::optional<std::string>& svg)> page;  // no chart where gnuplot is missing
 };
 

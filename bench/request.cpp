@@ -33,7 +33,7 @@ void check(Request& request, const Texts& texts) {
     if (!names.insert(sceneName(scene)).second) reject("two scenes have the name " + sceneName(scene));
   names.clear();
   for (const std::string& preset : request.presets)
-    if (!names.insert(preset).second) reject("--preset " + preset + " is there twice");
+    if (!names.insert(preset).second) reject(preset + " is to be measured twice");
 }
 
 }  // namespace

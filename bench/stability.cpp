@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
-#include <iterator>
 #include <map>
 #include <utility>
 
@@ -138,7 +136,7 @@ class Measurement {
       if (!errors) throw Error(ErrorKind::failed, "no layers to compare");
       if (frame == 0) {
         still = *errors;
-        keepPicture(scene.name, variant.name);
+        keepPicture(*folder_, pictureName(scene.name, variant.name), *bench_);
         for (int i = 1; i < (quick_ ? kQuickRepeats : kRepeats); ++i) {
           bench_->drawNext(scene, run);
           repeats = repeats && bench_->layers().data == layers.data;
@@ -194,16 +192,10 @@ class Measurement {
     RunStatistics run = bench_->describe(scene, settings);
     animate(scene, subject, run, [&](int frame) {
       truth_.push_back(bench_->layers());
-      if (frame == 0) keepPicture(scene.name, "reference");
+      if (frame == 0) keepPicture(*folder_, pictureName(scene.name, "reference"), *bench_);
     });
     truthScene_ = &scene;
     return truth_;
-  }
-
-  void keepPicture(const std::string& scene, const std::string& method) {
-    AtomicFile file(*folder_ / pictureName(scene, method));
-    file.write(bench_->thumbnail());
-    file.commit();
   }
 
   bool quick_;
@@ -213,23 +205,14 @@ class Measurement {
   std::vector<Image> truth_;  // a frame each
 };
 
-std::string readBytes(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-void writeReport(const OutputFolder& folder, const PointList& points) {
+std::map<std::string, std::string> readPictures(const OutputFolder& folder, const PointList& points) {
   std::map<std::string, std::string> pictures;
   for (const Json& point : points)
     for (const std::string& method : {presetOf(point), std::string("reference")}) {
       const std::string name = pictureName(sceneOf(point), method);
-      pictures[name] = readBytes(folder / name);
+      pictures[name] = readBytes(folder / pictureFile(name));
     }
-  AtomicFile csv(folder / "stability.csv"), html(folder / "index.html");
-  csv.write(toCsv(stabilityCsv(points)));
-  html.write(stabilityPage(points, pictures));
-  csv.commit();
-  html.commit();
+  return pictures;
 }
 
 // The methods that were asked for.
@@ -282,7 +265,9 @@ void runStability(const Request& request) {
   }
   Points kept(folder / "stability.json", "stability");
   const PointList points = measureAll(kept, tasks);
-  writeReport(folder, points);
+  writeReport(folder, {"stability", {{"stability", stabilityCsv(points)}}, {}, [&](const std::optional<std::string>&) {
+                         return stabilityPage(points, readPictures(folder, points));
+                       }});
   std::cout << toText(stabilityTable(points));
 }
 

@@ -147,11 +147,8 @@ std::string stabilityPage(const PointList& points, const std::map<std::string, s
 
 std::string pictureName(const std::string& scene, const std::string& method) {
   std::string name = scene;
-  name += '-';
+  name += ' ';
   name += method;
-  name += ".png";
-  for (char& c : name)
-    if (c == ':' || c == ' ') c = '-';
   return name;
 }
 

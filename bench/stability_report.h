@@ -16,9 +16,9 @@ bool survives(const nlohmann::ordered_json& point);
 
 Table stabilityTable(const PointList& points);
 Table stabilityCsv(const PointList& points);
-// `pictures`: PNG by its name in the folder (see pictureName()).
+// `pictures`: bytes of PNGs by pictureName().
 std::string stabilityPage(const PointList& points, const std::map<std::string, std::string>& pictures);
-// File of a scene's picture by a method.
+// Of a scene by a method.
 std::string pictureName(const std::string& scene, const std::string& method);
 
 }  // namespace halfsilver::bench
