@@ -63,6 +63,7 @@ struct Renderer::Impl {
   ShadowMaps shadows;
   bool shadowsStale = true;
   GBuffer gbuffer;
+  Contributions contributions;
   RayQueue queues[3];
   Hits hits[2];
   std::unique_ptr<Tracer> tracer;
@@ -143,13 +144,14 @@ void Renderer::Impl::render(const Camera& camera, const Settings& wanted, const 
     uploadConstants(camera, target.width, target.height);  // with the number of lights
   }
   gbufferPass.run(scene, gbuffer, target.width, target.height, settings->scene.cullBackFaces, profiler);
-  if (tracer)
-    selectPass.run(gbuffer, queues[0], profiler);
-  else
-    queues[0] = RayQueue();  // a ray for each pixel is much memory for nothing
   scene.bind();
   shadows.bind();
   shadePass.run(gbuffer, profiler);
+  if (tracer)
+    selectPass.run(gbuffer, queues[0], contributions, profiler);
+  else
+    queues[0] = RayQueue();  // a ray for each pixel is much memory for nothing
+  scene.bind();
   shadeHitsPass.clear(gbuffer, profiler);
   if (tracer)
     traceReflections();
@@ -172,6 +174,11 @@ FrameReport Renderer::Impl::report() {
   };
   // Rays that nobody traces are no selection: the layers say so too.
   report.selected = tracer ? count(queues[0]).count : 0;
+  report.reflecting = tracer ? count(queues[0]).reflecting : 0;
+  if (tracer) {
+    const std::vector<GLuint> counts = contributions.counts.read<GLuint>(CONTRIBUTION_CLASSES);
+    report.contributions.assign(counts.begin(), counts.end());
+  }
   report.warnings = scene.warnings;
   report.warnings.insert(report.warnings.end(), shadowWarnings.begin(), shadowWarnings.end());
 
@@ -197,7 +204,7 @@ FrameReport Renderer::Impl::report() {
   }
   memory.gbuffer = gbuffer.bytes();
   memory.peak = bytesOf(scene) + shadows.lights.bytes() + shadows.maps.bytes() + memory.gbuffer + constants.bytes() +
-                memory.structureTotal + transient;
+                contributions.counts.bytes() + memory.structureTotal + transient;
   for (const RayQueue& queue : queues) memory.peak += bytesOf(queue);
   for (const Hits& result : hits) memory.peak += bytesOf(result);
   return report;
@@ -233,6 +240,12 @@ void Renderer::updateVertices(const Scene& scene, std::span<const VertexRange> r
   halfsilver::updateVertices(impl_->scene, scene, ranges);
   impl_->lights = scene.lights;
   impl_->shadowsStale = true;
+}
+
+void Renderer::forgetStructures() {
+  // Kept structures are of the geometry that was drawn last.
+  ++impl_->scene.geometry;
+  impl_->scene.drawnGeometry = impl_->scene.geometry;
 }
 
 void Renderer::render(const Camera& camera, const Settings& settings, const Target& target) {

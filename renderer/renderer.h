@@ -45,7 +45,10 @@ struct MemoryReport {  // bytes, counts where named so
 };
 
 struct FrameReport {
-  std::uint64_t pixels = 0, selected = 0;
+  std::uint64_t pixels = 0;
+  std::uint64_t reflecting = 0;              // pixels that select.mode takes
+  std::uint64_t selected = 0;                // of these, pixels that are traced
+  std::vector<std::uint32_t> contributions;  // reflecting pixels of select.fraction by contribution, in classes of equal ratio
   std::vector<StageTime> times;
   MemoryReport memory;
   std::uint64_t overflow = 0;       // rays given up
@@ -76,6 +79,9 @@ class Renderer {
   void setScene(const Scene& scene);
   // Uploads moved vertices of the scene that was set; triangles, materials and counts are unchanged.
   void updateVertices(const Scene& scene, std::span<const VertexRange> ranges);
+
+  // Forgets what methods keep from frame to frame (abuffer.keep): the next frame builds what its own rays need.
+  void forgetStructures();
 
   // Draws one frame into the target at the target's size. Camera is relative to Scene::origin. Waits for the
   // GPU's counts of what a method has to build (see tracing/README.md).

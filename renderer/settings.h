@@ -15,6 +15,10 @@ enum class SelectPattern {
   scattered,  // evenly over the screen
   region      // in a rectangle of the screen's shape around its centre
 };
+enum class Fill {
+  sky,        // the sky's radiance
+  neighbours  // what was traced for the pixels around it
+};
 enum class VoxelRaster {
   voxel,        // rasterized at voxel resolution, as the papers' separate pass would
   abuffer,      // at A-buffer resolution
@@ -49,6 +53,10 @@ struct SelectSettings {
   SelectPattern pattern = SelectPattern::scattered;
   float maxRoughness = 0.4f;  // 0..1, reflectivity fades from 1 at roughness 0 to 0 here
   float minReflectivity = 0;  // 0..1, pixels at or below are not selected
+  // 0..1, pixels that contribute at most this are not kept. The contribution is what the reflection of something as
+  // bright as white adds to the displayed colour, after Fresnel, roughness and what the blend leaves of it.
+  float minContribution = 0;
+  Fill fill = Fill::neighbours;  // the reflection of pixels that reflect and were not traced
 
   bool operator==(const SelectSettings&) const = default;
 };

@@ -92,6 +92,9 @@ shared::FrameConstants makeFrameConstants(const Camera& camera, const Bounds& bo
   frame.selectMode = static_cast<std::uint32_t>(settings.select.mode);
   frame.toneMap = settings.image.toneMap == ToneMap::filmic ? 0 : 1;
   frame.selectPattern = static_cast<std::uint32_t>(settings.select.pattern);
+  frame.minContribution = settings.select.minContribution;
+  static_assert(FILL_SKY == static_cast<int>(Fill::sky) && FILL_NEIGHBOURS == static_cast<int>(Fill::neighbours));
+  frame.fill = static_cast<std::uint32_t>(settings.select.fill);
   frame.bounces = static_cast<std::uint32_t>(settings.trace.bounces);
   return frame;
 }

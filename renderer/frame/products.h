@@ -73,6 +73,11 @@ struct RayQueue {
   std::uint32_t capacity = 0;
 };
 
+// Reflecting pixels (those that select.fraction keeps) by what their reflection contributes.
+struct Contributions {
+  gl::Buffer counts;  // uint[CONTRIBUTION_CLASSES], see shared/structs.h
+};
+
 // One result a ray, in the order of the queue.
 struct Hits {
   gl::Buffer hits;      // Hit[capacity]

@@ -24,6 +24,6 @@ static_assert(sizeof(RayCount) == 32);
 static_assert(sizeof(ListBuild) == 48);
 static_assert(sizeof(Hit) == 16);
 static_assert(sizeof(HitSurface) == 32);
-static_assert(sizeof(FrameConstants) == 64 + 9 * 16 + 48);
+static_assert(sizeof(FrameConstants) == 64 + 9 * 16 + 64);
 
 }  // namespace halfsilver::shared

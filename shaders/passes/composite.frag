@@ -1,50 +1,45 @@
 // Blends deferred shading and reflection and brings the result to the display.
-#include "lib/fresnel.glsl"
-#include "lib/gbuffer.glsl"
-#include "lib/sky.glsl"
+#include "lib/blend.glsl"
+#include "lib/display.glsl"
 
-layout(binding = UNIT_SHADED) uniform sampler2D gShaded;
 layout(binding = UNIT_REFLECTION) uniform sampler2D gReflection;
 
 uniform vec2 origin;  // of the target's rectangle
 
 layout(location = 0) out vec4 color;
 
-vec3 blended(ivec2 pixel) {
-  vec4 shaded = texelFetch(gShaded, pixel, 0);
+// A pixel that reflects and was not traced takes the reflection of the traced ones around it, weighted by distance and
+// by how far their surfaces are alike: they reflect nearly the same. Alpha 0 where there are none.
+vec4 neighbours(ivec2 pixel) {
+  const int REACH = 2;  // pixels: there is one where select.fraction is 1/16 or more
+  const float ALIKE = 64.0;
   vec4 position = texelFetch(gPosition, pixel, 0);
-  vec4 material = texelFetch(gMaterial, pixel, 0);
-  bool unlit = material.a < 0.0;
-  if (position.w <= 0.0 || unlit) return shaded.rgb;
   vec3 normal = texelFetch(gNormal, pixel, 0).xyz;
+  float pixelWidth = position.w * frame.eye.w;
+  vec4 sum = vec4(0.0);
+  for (int y = -REACH; y <= REACH; ++y)
+    for (int x = -REACH; x <= REACH; ++x) {
+      ivec2 other = pixel + ivec2(x, y);
+      if (any(lessThan(other, ivec2(0))) || any(greaterThanEqual(other, ivec2(frame.width, frame.height)))) continue;
+      vec4 traced = texelFetch(gReflection, other, 0);
+      if (traced.a <= 0.0) continue;
+      float cosine = max(dot(normal, texelFetch(gNormal, other, 0).xyz), 0.0);
+      float offPlane = abs(dot(normal, texelFetch(gPosition, other, 0).xyz - position.xyz)) / pixelWidth;
+      float weight = exp(-0.5 * float(x * x + y * y) - offPlane) * pow(cosine, ALIKE);
+      sum += weight * vec4(traced.rgb, 1.0);
+    }
+  return sum.a > 1e-6 ? vec4(sum.rgb / sum.a, 1.0) : vec4(0.0);
+}
+
+vec3 blended(ivec2 pixel) {
+  Blend blend = blendOf(pixel);
+  if (blend.share == vec3(0.0)) return blend.base;
   vec4 traced = texelFetch(gReflection, pixel, 0);
-  vec3 direction = normalize(position.xyz - frame.eye.xyz);
-  float cosine = -dot(normal, direction);
-  vec3 share = reflectionShare(material.rgb, material.a, cosine);
-  vec3 sky = skyRadiance(reflect(direction, normal), material.a) * shaded.a;
-  vec3 reflection = traced.a > 0.0 ? traced.rgb : sky;
-  return (1.0 - share) * shaded.rgb + share * reflection + skyShare(material.rgb, material.a, cosine) * sky;
+  if (traced.a <= 0.0 && frame.fill == FILL_NEIGHBOURS) traced = neighbours(pixel);
+  return blend.base + blend.share * (traced.a > 0.0 ? traced.rgb : blend.sky);
 }
 
 #ifndef LINEAR
-// A little contrast around PIVOT, channel by channel; above it an exponential shoulder that begins with slope 1 and
-// ends at white. The shoulder works on the largest component and keeps the ratios, so hues do not turn; what it
-// compresses fades towards white instead.
-const float PIVOT = 0.3;
-const float CONTRAST = 1.12;
-vec3 filmic(vec3 radiance) {
-  radiance = PIVOT * pow(radiance / PIVOT, vec3(CONTRAST));
-  float peak = max(max(radiance.r, radiance.g), radiance.b);
-  if (peak <= PIVOT) return radiance;
-  float mapped = 1.0 - (1.0 - PIVOT) * exp(-(peak - PIVOT) / (1.0 - PIVOT));
-  float whiteness = 1.0 - 1.0 / (1.0 + 0.15 * (peak - mapped));
-  return mix(radiance * (mapped / peak), vec3(mapped), whiteness);
-}
-
-vec3 encodeSrgb(vec3 linear) {
-  return mix(12.92 * linear, 1.055 * pow(max(linear, 1e-8), vec3(1.0 / 2.4)) - 0.055, greaterThan(linear, vec3(0.0031308)));
-}
-
 // Ordered 8 x 8 dither, -0.5..0.5: the bits of x xor y and of y, interleaved from the lowest.
 float dither(ivec2 pixel) {
   int mixed = pixel.x ^ pixel.y;
@@ -60,8 +55,7 @@ void main() {
 #ifdef LINEAR
   color = vec4(radiance, 1.0);
 #else
-  radiance = max(radiance * frame.exposure, vec3(0.0));
-  vec3 display = encodeSrgb(clamp(frame.toneMap == 0u ? filmic(radiance) : radiance, 0.0, 1.0));
+  vec3 display = displayed(radiance);
   // Black and white stay exact.
   vec3 room = min(min(display, 1.0 - display) * 255.0, 1.0);
   color = vec4(display + dither(pixel) / 255.0 * room, 1.0);

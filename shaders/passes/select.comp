@@ -1,13 +1,12 @@
 // Pixels whose reflection is traced, compacted into a queue of rays.
-#include "lib/frame.glsl"
+#include "lib/blend.glsl"
+#include "lib/display.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(binding = UNIT_VISIBILITY) uniform usampler2D visibility;
-layout(binding = UNIT_POSITION) uniform sampler2D positionTexture;
-layout(binding = UNIT_NORMAL) uniform sampler2D normalTexture;
 layout(std430, binding = SSBO_RAYS) writeonly buffer RayBlock { Ray rays[]; };
 layout(std430, binding = SSBO_RAY_COUNT) buffer RayCountBlock { RayCount rayCount; };
+layout(std430, binding = SSBO_CONTRIBUTIONS) buffer ContributionBlock { uint contributions[CONTRIBUTION_CLASSES]; };
 
 shared uint selectedMask[2];
 shared uint keptMask[2];
@@ -36,6 +35,22 @@ float regionThreshold(ivec2 pixel) {
   return side * side;
 }
 
+// What the reflection of something as bright as white adds to the displayed colour: 0..1, the most of its components.
+float contribution(ivec2 pixel) {
+  Blend blend = blendOf(pixel);
+  vec3 added = displayed(blend.base + blend.share / frame.exposure) - displayed(blend.base);
+  return max(max(added.r, added.g), added.b);
+}
+
+// Pixels whose contributions are within a quarter of an octave are thinned out evenly: a mirror that contributes the
+// same everywhere must not go at once.
+const float EQUAL_OCTAVES = 0.25;
+
+uint contributionClass(float contribution) {
+  float fromLeast = log2(max(contribution, exp2(-float(CONTRIBUTION_OCTAVES)))) + float(CONTRIBUTION_OCTAVES);
+  return min(uint(fromLeast * float(CONTRIBUTION_CLASSES / CONTRIBUTION_OCTAVES)), uint(CONTRIBUTION_CLASSES) - 1u);
+}
+
 void main() {
   ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
   uint lane = gl_LocalInvocationIndex;
@@ -48,14 +63,19 @@ void main() {
   bool selected = false;
   vec4 position = vec4(0.0), normal = vec4(0.0);
   if (all(lessThan(pixel, ivec2(frame.width, frame.height)))) {
-    position = texelFetch(positionTexture, pixel, 0);
-    normal = texelFetch(normalTexture, pixel, 0);
+    position = texelFetch(gPosition, pixel, 0);
+    normal = texelFetch(gNormal, pixel, 0);
     bool reflects = frame.selectMode == SELECT_ALL || normal.w > frame.minReflectivity;
     selected = frame.selectMode != 0u && position.w > 0.0 && reflects;
   }
-  float threshold =
-      frame.selectPattern == PATTERN_REGION ? regionThreshold(pixel) : scatteredThreshold(uvec2(pixel));
-  bool kept = selected && threshold < frame.selectFraction;
+  bool kept = false;
+  float scattered = scatteredThreshold(uvec2(pixel));
+  float threshold = frame.selectPattern == PATTERN_REGION ? regionThreshold(pixel) : scattered;
+  if (selected && threshold < frame.selectFraction) {
+    float worth = contribution(pixel) * exp2(-EQUAL_OCTAVES * scattered);
+    atomicAdd(contributions[contributionClass(worth)], 1u);
+    kept = frame.minContribution <= 0.0 || worth > frame.minContribution;
+  }
   uint word = lane >> 5, bit = 1u << (lane & 31u);
   if (selected) atomicOr(selectedMask[word], bit);
   if (kept) atomicOr(keptMask[word], bit);
@@ -65,7 +85,7 @@ void main() {
     uint count = bitCount(keptMask[0]) + bitCount(keptMask[1]);
     firstRay = count == 0u ? 0u : atomicAdd(rayCount.count, count);
     uint before = bitCount(selectedMask[0]) + bitCount(selectedMask[1]);
-    if (before != 0u) atomicAdd(rayCount.selected, before);
+    if (before != 0u) atomicAdd(rayCount.reflecting, before);
   }
   barrier();
   if (!kept) return;
@@ -74,7 +94,7 @@ void main() {
   // From the stored position, so that the ray is the mirror image of the line from the eye to its origin.
   vec3 fromEye = position.xyz - frame.eye.xyz;
   vec3 direction = normalize(reflect(normalize(fromEye), normal.xyz));
-  uint triangle = texelFetch(visibility, pixel, 0).x - 1u;
+  uint triangle = texelFetch(gVisibility, pixel, 0).x - 1u;
   rays[index].originPixel = vec4(position.xyz, uintBitsToFloat(uint(pixel.y) * frame.width + uint(pixel.x)));
   rays[index].directionExclude = vec4(direction, uintBitsToFloat(triangle));
   rays[index].throughput = vec4(1.0, 1.0, 1.0, length(fromEye));

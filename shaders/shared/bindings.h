@@ -17,6 +17,7 @@
 #define SSBO_RAY_COUNT 7     // RayCount
 #define SSBO_HITS 8          // Hit[]
 #define SSBO_HIT_SURFACES 9  // HitSurface[], methods that store attributes
+#define SSBO_CONTRIBUTIONS 9  // uint[CONTRIBUTION_CLASSES], while pixels are selected
 // The method's own structure.
 #define SSBO_VOXELS 10
 #define SSBO_HEADS 11
@@ -47,7 +48,7 @@
 #define UNIT_MATERIAL 13
 #define UNIT_EMISSIVE 14
 #define UNIT_VISIBILITY 15
-// In the composite pass, which needs no material textures.
+// In passes that blend and need no material textures.
 #define UNIT_SHADED 0
 #define UNIT_REFLECTION 1
 

@@ -85,7 +85,7 @@ struct RayCount {
   uint groupsY;
   uint groupsZ;
   uint count;
-  uint selected;    // before select.fraction
+  uint reflecting;  // before the selection is thinned by fraction and contribution
   uint unfinished;  // rays that a dispatch left for the next one (see tracing)
   uint overflow;    // rays that were given up
   uint padding;
@@ -121,6 +121,14 @@ struct HitSurface {
   vec4 normalReflectivity;  // unit xyz, w reflectivity
 };
 
+// FrameConstants::fill.
+#define FILL_SKY 0u
+#define FILL_NEIGHBOURS 1u
+
+// Reflecting pixels are counted by their contribution, in classes of equal ratio from 2^-16 to 1.
+#define CONTRIBUTION_CLASSES 256
+#define CONTRIBUTION_OCTAVES 16
+
 // Constants of one frame.
 struct FrameConstants {
   mat4 viewProjection;
@@ -146,6 +154,10 @@ struct FrameConstants {
   uint toneMap;     // 0 filmic, 1 none
   uint bounces;
   uint selectPattern;  // 0 scattered, 1 region
+  float minContribution;
+  uint fill;
+  uint padding0;
+  uint padding1;
 };
 
 #endif

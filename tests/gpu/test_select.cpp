@@ -62,8 +62,9 @@ class SelectTest : public testing::ContextTest {
     GBufferPass(api).run(gpu, buffer, width, height, true, profiler);
     SelectPass pass(api);
     RayQueue queue;
-    pass.run(buffer, queue, profiler);
-    pass.run(buffer, queue, profiler);  // a second frame starts from zero
+    Contributions contributions;
+    pass.run(buffer, queue, contributions, profiler);
+    pass.run(buffer, queue, contributions, profiler);  // a second frame starts from zero
     EXPECT_EQ(queue.capacity, static_cast<std::uint32_t>(width * height));
     result.count = queue.count.read<shared::RayCount>(1)[0];
     result.rays = queue.rays.read<shared::Ray>(result.count.count);
@@ -86,7 +87,7 @@ TEST_F(SelectTest, ReflectivePixelsOnly) {
     }
   ASSERT_GT(expected, 1500u);
   EXPECT_NEAR(static_cast<double>(selection.count.count), static_cast<double>(expected), height);  // the middle column
-  EXPECT_EQ(selection.count.selected, selection.count.count);
+  EXPECT_EQ(selection.count.reflecting, selection.count.count);
   EXPECT_EQ(selection.count.groupsX, (selection.count.count + 63) / 64);
   EXPECT_EQ(selection.count.groupsY, 1u);
   EXPECT_EQ(selection.count.groupsZ, 1u);
@@ -136,7 +137,7 @@ TEST_F(SelectTest, FractionsAreExactNestedAndEven) {
     Settings settings;
     settings.select.fraction = fraction;
     const Selection selection = select(scene, settings, width, height);
-    EXPECT_EQ(selection.count.selected, static_cast<std::uint32_t>(pixels));
+    EXPECT_EQ(selection.count.reflecting, static_cast<std::uint32_t>(pixels));
     EXPECT_NEAR(selection.count.count / pixels, fraction, fraction == 0 || fraction == 1 ? 0 : 0.01);
     EXPECT_TRUE(std::includes(selection.pixels.begin(), selection.pixels.end(), smaller.begin(), smaller.end()));
     // Every block of 10 x 10 pixels has its share.

@@ -1,0 +1,27 @@
+// How the colours of a pixel add up: base + share * reflection, where no ray's radiance stands for the reflection the
+// sky's does.
+#include "lib/fresnel.glsl"
+#include "lib/gbuffer.glsl"
+#include "lib/sky.glsl"
+
+layout(binding = UNIT_SHADED) uniform sampler2D gShaded;
+
+struct Blend {
+  vec3 base;   // radiance without the traced reflection
+  vec3 share;  // of the reflection; 0 where there is none
+  vec3 sky;    // radiance of the sky in the reflected direction
+};
+
+Blend blendOf(ivec2 pixel) {
+  vec4 shaded = texelFetch(gShaded, pixel, 0);
+  vec4 position = texelFetch(gPosition, pixel, 0);
+  vec4 material = texelFetch(gMaterial, pixel, 0);
+  bool unlit = material.a < 0.0;
+  if (position.w <= 0.0 || unlit) return Blend(shaded.rgb, vec3(0.0), vec3(0.0));
+  vec3 normal = texelFetch(gNormal, pixel, 0).xyz;
+  vec3 direction = normalize(position.xyz - frame.eye.xyz);
+  float cosine = -dot(normal, direction);
+  vec3 share = reflectionShare(material.rgb, material.a, cosine);
+  vec3 sky = skyRadiance(reflect(direction, normal), material.a) * shaded.a;
+  return Blend((1.0 - share) * shaded.rgb + skyShare(material.rgb, material.a, cosine) * sky, share, sky);
+}
