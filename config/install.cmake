@@ -15,7 +15,7 @@ foreach(name IN ITEMS renderer io context exact)
 endforeach()
 
 # Headers keep their rooms: <halfsilver/renderer.h> includes "scene/scene.h".
-install(FILES renderer/settings.h renderer/renderer.h DESTINATION ${header_folder} COMPONENT renderer)
+install(FILES renderer/settings.h renderer/renderer.h renderer/budget.h DESTINATION ${header_folder} COMPONENT renderer)
 install(DIRECTORY renderer/core renderer/scene renderer/gl renderer/frame DESTINATION ${header_folder}
         COMPONENT renderer FILES_MATCHING PATTERN "*.h")
 install(FILES renderer/tracing/tracer.h DESTINATION ${header_folder}/tracing COMPONENT renderer)

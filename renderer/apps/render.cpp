@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -15,6 +17,7 @@
 #include "apps/statistics.h"
 #include "apps/view_request.h"
 #include "apps/wall_clock.h"
+#include "budget.h"
 #include "context/context.h"
 #include "core/error.h"
 #include "io/atomic_file.h"
@@ -28,6 +31,7 @@ struct RenderRequest {
   ViewRequest view;
   std::string output, stats, layers;
   std::optional<int> repeat;
+  std::optional<double> budgetMilliseconds, budgetMegabytes;
 };
 
 std::string lowerExtension(const std::string& file) {
@@ -89,37 +93,96 @@ void addWarnings(const std::vector<std::string>& from, std::vector<std::string>&
     if (std::find(to.begin(), to.end(), warning) == to.end()) to.push_back(warning);
 }
 
-// The first frame, as often as its structure needs to find its size; then the measured ones, if any. Where none are
-// asked for, the first frame is the picture, and its times are told as what they are.
-void drawFrames(Renderer& renderer, const Camera& camera, const Settings& settings, const Target& target, int repeat,
-                Progress& progress, WallClock& clock, RunStatistics& statistics) {
-  StageTimes times;
-  progress.show("first frame");
-  const int first = drawFirstFrame(renderer, camera, settings, target, statistics.report);
-  const std::vector<StageTime> firstTimes = statistics.report.times;
-  statistics.firstFrame = repeat == 0;
-  statistics.warmUpFrames = first - (repeat == 0 ? 1 : 0);
-  addWarnings(statistics.report.warnings, statistics.warnings);
-  clock.lap("first_frame");
-  for (int frame = 0; frame < repeat; ++frame) {
-    progress.show("frame " + std::to_string(frame + 1) + " of " + std::to_string(repeat));
-    renderer.render(camera, settings, target);
-    statistics.report = renderer.report();
-    times.add(statistics.report.times);
-    addWarnings(statistics.report.warnings, statistics.warnings);
+// Frames that a budget may take to settle down.
+constexpr int kMostBudgetFrames = 60;
+
+// The frames of a run: the first one, as often as its structure needs to find its size; where there is a budget, more
+// until it is at rest; then the measured ones, if any. Where none are asked for, the last of the others is the picture,
+// and its times are told as what they are.
+class Frames {
+ public:
+  Frames(Renderer& renderer, const Camera& camera, const Target& target, const RenderRequest& request,
+         RunStatistics& statistics)
+      : renderer_(&renderer), camera_(&camera), target_(target), statistics_(&statistics) {
+    if (!request.budgetMilliseconds && !request.budgetMegabytes) return;
+    BudgetLimits limits;
+    if (request.budgetMilliseconds) limits.milliseconds = *request.budgetMilliseconds;
+    if (request.budgetMegabytes) limits.bytes = 1e6 * *request.budgetMegabytes;
+    limits.leastContribution = statistics.settings.select.minContribution;
+    budget_.emplace(limits);
+    statistics.budget = {.limits = limits};
   }
-  if (statistics.report.overflow > 0)
-    addWarnings({std::to_string(statistics.report.overflow) + " rays were given up (hit.T -3); the sky stands in"},
-                statistics.warnings);
-  if (statistics.report.lostFragments > 0)
-    addWarnings({std::to_string(statistics.report.lostFragments) + " fragments found no room in the A-buffer"},
-                statistics.warnings);
-  // What only the first frame did has only its time to tell: shadow maps, and structures that are kept.
-  for (const StageTime& time : firstTimes)
-    if (!times.has(time.stage)) times.add(std::span(&time, 1));
-  statistics.stages = times.summarize();
-  if (repeat > 0) clock.lap("frames");
-}
+
+  void draw(int repeat, Progress& progress, WallClock& clock) {
+    FrameReport& report = statistics_->report;
+    progress.show("first frame");
+    int warmUp = drawFirstFrame(*renderer_, *camera_, statistics_->settings, target_, report);
+    std::vector<StageTime> pictureTimes = report.times;
+    addWarnings(report.warnings, statistics_->warnings);
+    clock.lap("first_frame");
+    const std::vector<StageTime> firstTimes = pictureTimes;
+    if (budget_) {
+      for (int i = 0; i < kMostBudgetFrames && !budget_->atRest(); ++i, ++warmUp) {
+        progress.show("budget, frame " + std::to_string(i + 1));
+        drawNext();
+      }
+      pictureTimes = report.times;
+      statistics_->budget->settled = budget_->atRest();
+      statistics_->budget->frames = repeat == 0 ? 1 : 0;
+      statistics_->budget->held = repeat == 0 && budget_->held() ? 1 : 0;
+      clock.lap("budget");
+    }
+    statistics_->firstFrame = repeat == 0;
+    statistics_->warmUpFrames = warmUp - (repeat == 0 ? 1 : 0);
+    StageTimes times;
+    for (int frame = 0; frame < repeat; ++frame) {
+      progress.show("frame " + std::to_string(frame + 1) + " of " + std::to_string(repeat));
+      drawNext();
+      times.add(report.times);
+      if (!budget_) continue;
+      ++statistics_->budget->frames;
+      statistics_->budget->held += budget_->held();
+    }
+    if (repeat == 0) times.add(pictureTimes);
+    // What only the first frame did has only its time to tell: shadow maps, and structures that are kept.
+    for (const StageTime& time : firstTimes)
+      if (!times.has(time.stage)) times.add(std::span(&time, 1));
+    statistics_->stages = times.summarize();
+    if (repeat > 0) clock.lap("frames");
+    warnOfLosses();
+  }
+
+ private:
+  void drawNext() {
+    Settings settings = statistics_->settings;
+    if (budget_) {
+      settings.select.minContribution = budget_->minContribution();
+      if (budget_->forgetStructures()) renderer_->forgetStructures();
+      statistics_->budget->minContribution = settings.select.minContribution;
+    }
+    renderer_->render(*camera_, settings, target_);
+    statistics_->report = renderer_->report();
+    if (budget_) budget_->learn(statistics_->report);
+    addWarnings(statistics_->report.warnings, statistics_->warnings);
+  }
+
+  void warnOfLosses() {
+    const FrameReport& report = statistics_->report;
+    if (statistics_->budget && statistics_->budget->held < statistics_->budget->frames)
+      addWarnings({"the budget was not held in every frame"}, statistics_->warnings);
+    if (report.overflow > 0)
+      addWarnings({std::to_string(report.overflow) + " rays were given up (hit.T -3)"}, statistics_->warnings);
+    if (report.lostFragments > 0)
+      addWarnings({std::to_string(report.lostFragments) + " fragments found no room in the A-buffer"},
+                  statistics_->warnings);
+  }
+
+  Renderer* renderer_;
+  const Camera* camera_;
+  Target target_;
+  RunStatistics* statistics_;
+  std::optional<Budget> budget_;
+};
 
 // The last frame, encoded under temporary names.
 void writePictures(const Renderer& renderer, const OffscreenTarget& target, const Size& size, double diagonal,
@@ -177,7 +240,7 @@ void render(const RenderRequest& request) {
   clock.lap("upload");
 
   const int repeat = request.repeat.value_or(request.stats.empty() ? 0 : 1);
-  drawFrames(renderer, camera, statistics.settings, target.target(), repeat, progress, clock, statistics);
+  Frames(renderer, camera, target.target(), request, statistics).draw(repeat, progress, clock);
   progress.show("writing " + request.output);
   writePictures(renderer, target, size, statistics.diagonal, outputs);
   clock.lap("write");
@@ -189,6 +252,13 @@ void render(const RenderRequest& request) {
   // The table goes first: where it cannot be written, the run fails, and a failed run leaves no files.
   if (!(std::cout << toTable(statistics) << std::flush)) throw Error(ErrorKind::failed, "cannot write the table");
   outputs.commit();
+}
+
+// For CLI11, whose own ranges let "nan" pass.
+std::string aPositiveNumber(const std::string& text) {
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  return end != text.c_str() && *end == 0 && value > 0 && std::isfinite(value) ? "" : text + " is not above 0";
 }
 
 void addOutputOptions(CLI::App& command, RenderRequest& request) {
@@ -211,6 +281,13 @@ void addRenderCommand(CLI::App& program) {
                    "Frames measured after the first one; times are medians (default: 1 with --stats, else the first "
                    "frame is the picture)")
       ->check(CLI::Range(1, 100000));
+  command
+      ->add_option("--budget-ms", request.budgetMilliseconds,
+                   "Milliseconds of a frame; reflections that contribute least go until it holds")
+      ->check(aPositiveNumber);
+  command
+      ->add_option("--budget-mb", request.budgetMegabytes, "Megabytes of the structure that is traced, in the same way")
+      ->check(aPositiveNumber);
   command->callback([shared] { render(*shared); });
 }
 

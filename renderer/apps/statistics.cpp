@@ -59,6 +59,30 @@ double coverage(const FrameReport& report) {
   return report.pixels ? static_cast<double>(report.selected) / static_cast<double>(report.pixels) : 0;
 }
 
+std::uint64_t dropped(const FrameReport& report) { return report.reflecting - report.selected; }
+
+// null stands for a limit that was not given.
+Json budgetJson(const BudgetSummary& budget, const FrameReport& report) {
+  const auto limit = [](double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); };
+  return {{"milliseconds", limit(budget.limits.milliseconds)},
+          {"megabytes", limit(budget.limits.bytes / 1e6)},
+          {"frames", budget.frames},
+          {"frames_held", budget.held},
+          {"settled", budget.settled},
+          {"min_contribution", budget.minContribution},
+          {"dropped", dropped(report)}};
+}
+
+std::string budgetLine(const BudgetSummary& budget, const FrameReport& report) {
+  std::string limits;
+  if (std::isfinite(budget.limits.milliseconds)) limits += format("%g ms", budget.limits.milliseconds);
+  if (std::isfinite(budget.limits.bytes))
+    limits += format(limits.empty() ? "%g MB" : " and %g MB", budget.limits.bytes / 1e6);
+  return format("budget      %s: held in %zu of %zu frames; dropped %llu of %llu pixels, contributions below %.4f\n",
+                limits.c_str(), budget.held, budget.frames, static_cast<unsigned long long>(dropped(report)),
+                static_cast<unsigned long long>(report.reflecting), static_cast<double>(budget.minContribution));
+}
+
 }  // namespace
 
 double median(std::vector<double> values) {
@@ -111,6 +135,7 @@ Json toJson(const RunStatistics& s) {
   json["pixels"] = {{"width", s.width},
                     {"height", s.height},
                     {"total", s.report.pixels},
+                    {"reflecting", s.report.reflecting},
                     {"selected", s.report.selected},
                     {"coverage", coverage(s.report)}};
   json["memory"] = {{"voxels", memory.voxels},
@@ -134,6 +159,7 @@ Json toJson(const RunStatistics& s) {
                                     {"rejected", stage.rejected}};
   json["wall_ms"] = Json::object();
   for (const auto& [lap, elapsed] : s.wallMilliseconds) json["wall_ms"][lap] = elapsed;
+  if (s.budget) json["budget"] = budgetJson(*s.budget, s.report);
   json["warm_up_frames"] = s.warmUpFrames;
   json["overflow"] = s.report.overflow;
   json["lost_fragments"] = s.report.lostFragments;
@@ -181,6 +207,7 @@ std::string toTable(const RunStatistics& s) {
   }
   table += format("coverage    %.2f %% of the pixels traced (%llu of %llu)\n", 100 * coverage(s.report),
                   static_cast<unsigned long long>(s.report.selected), static_cast<unsigned long long>(s.report.pixels));
+  if (s.budget) table += budgetLine(*s.budget, s.report);
   table += "memory      structure " + megabytes(memory.structureTotal) + " (voxels " + megabytes(memory.voxels) +
            ", heads " + megabytes(memory.heads) + ", pool " + megabytes(memory.poolUsed) + " used of " +
            megabytes(memory.poolReserved) + "), G-buffer " + megabytes(memory.gbuffer) + ", peak " +

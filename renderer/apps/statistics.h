@@ -2,11 +2,13 @@
 
 #include <cstddef>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "budget.h"
 #include "io/compare.h"
 #include "renderer.h"
 #include "settings.h"
@@ -38,6 +40,14 @@ class StageTimes {
   std::vector<std::pair<std::string, std::vector<double>>> samples_;
 };
 
+// What a budget made of a run.
+struct BudgetSummary {
+  BudgetLimits limits;
+  float minContribution = 0;         // of the last frame
+  bool settled = false;              // the threshold had come to rest when the picture or the measured frames began
+  std::size_t frames = 0, held = 0;  // that were drawn since then, and those of them within the limits
+};
+
 struct RunStatistics {
   DeviceInfo device;
   std::string context;
@@ -47,6 +57,7 @@ struct RunStatistics {
   Settings settings;
   int width = 0, height = 0;
   FrameReport report;  // of the last frame
+  std::optional<BudgetSummary> budget;
   std::vector<StageSummary> stages;
   bool firstFrame = false;  // the times are those of the first frame, with shaders compiled and memory allocated
   int warmUpFrames = 0;

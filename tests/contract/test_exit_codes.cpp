@@ -57,6 +57,13 @@ TEST(ExitCodes, WrongUsageIs2) {
   expectRefused(folder, "render builtin:sphere -o a.png --threads 0", 2, "threads");
 }
 
+TEST(ExitCodes, WrongBudgetsAre2) {
+  const TemporaryFolder folder;
+  for (const char* option : {"--budget-ms", "--budget-mb"})
+    for (const char* value : {"0", "-1", "nan", "x", ""})
+      expectRefused(folder, std::string("render builtin:sphere -o a.png ") + option + " " + value, 2, option);
+}
+
 TEST(ExitCodes, WrongTuningIs2) {
   const TemporaryFolder folder;
   const std::string tune = "tune builtin:sphere -o c.toml ";

@@ -238,6 +238,50 @@ TEST(Render, WarningsGoToStderrAndTheStatistics) {
   EXPECT_TRUE(found);
 }
 
+TEST(Render, MemoryBudgetIsHeldAndTold) {
+  const TemporaryFolder folder;
+  const std::string render = kQuickSphere + "--set voxels.resolution=256 ";
+  expectDone(runProgramIn(folder, render + "-o a.png --stats a.json"));
+  const auto whole = readJson(folder / "a.json");
+  const double least = whole["memory"]["voxels"], most = whole["memory"]["structure_total"];
+  ASSERT_GT(most, 1.2 * least);
+  const std::string limit = std::to_string(1e-6 * (least + 0.8 * (most - least)));
+  const ProgramResult result = runProgramIn(folder, render + "-o b.png --stats b.json --budget-mb " + limit);
+  expectDone(result);
+  EXPECT_NE(result.out.find("budget"), std::string::npos) << result.out;
+  const auto json = readJson(folder / "b.json");
+  EXPECT_TRUE(json["budget"]["settled"].get<bool>());
+  EXPECT_EQ(json["budget"]["frames"], 1);
+  EXPECT_EQ(json["budget"]["frames_held"], 1);
+  EXPECT_TRUE(json["budget"]["milliseconds"].is_null());
+  EXPECT_LE(json["memory"]["structure_total"].get<double>(), 1e6 * json["budget"]["megabytes"].get<double>());
+  EXPECT_GT(json["budget"]["min_contribution"], 0);
+  EXPECT_GT(json["pixels"]["selected"], 0);
+  EXPECT_EQ(json["pixels"]["reflecting"], whole["pixels"]["selected"]);
+  EXPECT_GT(json["budget"]["dropped"], 0);
+  EXPECT_EQ(json["budget"]["dropped"].get<int>(),
+            json["pixels"]["reflecting"].get<int>() - json["pixels"]["selected"].get<int>());
+  EXPECT_NE(readText(folder / "a.png"), readText(folder / "b.png"));
+}
+
+TEST(Render, TimeBudgetDropsAllWhereItCannotBeHeldAndNothingWhereItIsLarge) {
+  const TemporaryFolder folder;
+  const ProgramResult small = runProgramIn(folder, kQuickSphere + "-o a.png --stats a.json --budget-ms 0.001");
+  expectDone(small);
+  EXPECT_NE(small.err.find("budget"), std::string::npos) << small.err;
+  const auto none = readJson(folder / "a.json");
+  EXPECT_EQ(none["budget"]["frames_held"], 0);
+  EXPECT_EQ(none["pixels"]["selected"], 0);
+  EXPECT_GT(none["budget"]["dropped"], 100);
+  expectDone(runProgramIn(folder, kQuickSphere + "-o b.png --stats b.json --budget-ms 1e6"));
+  const auto all = readJson(folder / "b.json");
+  EXPECT_EQ(all["budget"]["dropped"], 0);
+  EXPECT_EQ(all["budget"]["min_contribution"], 0);
+  expectDone(runProgramIn(folder, kQuickSphere + "-o c.png --stats c.json"));
+  EXPECT_FALSE(readJson(folder / "c.json").contains("budget"));
+  EXPECT_TRUE(readText(folder / "b.png") == readText(folder / "c.png"));
+}
+
 TEST(Render, ReplacesAnOldPicture) {
   const TemporaryFolder folder;
   writeWall(folder);

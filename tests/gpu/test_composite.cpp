@@ -56,6 +56,58 @@ TEST_F(CompositeTest, PerfectMirrorShowsItsReflection) {
   expectColor(middle(composite(CompositePass::Output::linear)), vec3(0.5f));
 }
 
+TEST_F(CompositeTest, NeighboursStandInForWhatIsNotTraced) {
+  setUp(mirror(1), vec3(0.5f));
+  const auto traceOneOf = [&](int spacing) {
+    std::vector<vec4> texels;
+    for (int y = 0; y < 16; ++y)
+      for (int x = 0; x < 16; ++x)
+        texels.push_back(x % spacing == 1 && y % spacing == 1 ? vec4(0.1f * static_cast<float>(x), 2, 3, 1) : vec4(0));
+    api.TextureSubImage2D(gbuffer.reflection.name(), 0, 0, 0, 16, 16, GL_RGBA, GL_FLOAT, texels.data());
+  };
+  traceOneOf(4);  // a sixteenth
+  const std::vector<vec4> filled = composite(CompositePass::Output::linear);
+  for (int y = 3; y < 12; ++y)
+    for (int x = 3; x < 12; ++x) {
+      const vec4& found = filled[static_cast<std::size_t>(16 * y + x)];
+      EXPECT_NEAR(found.y, 2, 1e-3f);
+      EXPECT_NEAR(found.x, 0.1f * static_cast<float>(x), 0.21f);  // never from further away than it reaches
+    }
+  settings.select.fill = Fill::sky;
+  setUp(mirror(1), vec3(0.5f));
+  traceOneOf(4);
+  const std::vector<vec4> sky = composite(CompositePass::Output::linear);
+  expectColor(sky[16 * 7 + 7], vec3(0.5f));
+  EXPECT_NEAR(sky[16 * 9 + 9].y, 2, 1e-3f);
+}
+
+TEST_F(CompositeTest, SurfacesThatFaceElsewhereDoNotStandIn) {
+  Scene scene;
+  const std::uint32_t material = addMaterial(scene, mirror(1));
+  addQuad(scene, {-100, 0, 0}, {100, 0, 0}, {0, 0, -100}, material);  // the right half lies, the left half stands
+  addQuad(scene, {-100, 0, 0}, {100, 0, 0}, {0, 100, 0}, material);
+  scene.sky = evenSky(vec3(0.5f));
+  settings.shadow.skyDirections = 0;
+  Camera camera;
+  camera.eye = {0, 1, 1};
+  camera.target = {0, 0.5f, 0.5f};
+  camera.verticalFov = 1.0f;
+  draw(scene, camera, 16, 16);
+  const std::vector<vec4> normals = pixels(gbuffer.normal);
+  std::vector<vec4> texels;
+  std::size_t lying = 0;
+  for (std::size_t i = 0; i < 256; ++i) {
+    const bool up = normals[i].y > 0.5f;
+    lying += up;
+    texels.push_back(up ? vec4(4, 0, 0, 1) : vec4(0));
+  }
+  ASSERT_GT(lying, 60u);
+  ASSERT_LT(lying, 200u);
+  api.TextureSubImage2D(gbuffer.reflection.name(), 0, 0, 0, 16, 16, GL_RGBA, GL_FLOAT, texels.data());
+  const std::vector<vec4> image = composite(CompositePass::Output::linear);
+  for (std::size_t i = 0; i < 256; ++i) expectColor(image[i], texels[i].w > 0 ? vec3(4, 0, 0) : vec3(0.5f));
+}
+
 TEST_F(CompositeTest, BlendsByFresnel) {
   setUp(glowing(mirror(0.2f), vec3(1)), vec3(0));
   trace({0, 2, 0, 1});

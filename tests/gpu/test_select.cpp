@@ -21,6 +21,7 @@ struct Selection {
   std::vector<shared::Ray> rays;
   std::vector<std::uint32_t> pixels;  // sorted
   std::vector<float> position;
+  std::vector<GLuint> contributions;
   shared::FrameConstants frame{};
 };
 
@@ -46,6 +47,8 @@ class SelectTest : public testing::ContextTest {
     return scene;
   }
 
+  float shade = 0;  // deferred radiance of all pixels
+
   Selection select(const Scene& scene, const Settings& settings, int width, int height) {
     const GpuScene gpu = uploadScene(api, scene);
     Camera camera;
@@ -60,6 +63,8 @@ class SelectTest : public testing::ContextTest {
     gl::Profiler profiler(api);
     GBuffer buffer;
     GBufferPass(api).run(gpu, buffer, width, height, true, profiler);
+    const glm::vec4 shaded(glm::vec3(shade), 0);
+    api.ClearTexImage(buffer.shaded.name(), 0, GL_RGBA, GL_FLOAT, &shaded);
     SelectPass pass(api);
     RayQueue queue;
     Contributions contributions;
@@ -68,6 +73,7 @@ class SelectTest : public testing::ContextTest {
     EXPECT_EQ(queue.capacity, static_cast<std::uint32_t>(width * height));
     result.count = queue.count.read<shared::RayCount>(1)[0];
     result.rays = queue.rays.read<shared::Ray>(result.count.count);
+    result.contributions = contributions.counts.read<GLuint>(CONTRIBUTION_CLASSES);
     for (const shared::Ray& ray : result.rays) result.pixels.push_back(glm::floatBitsToUint(ray.originPixel.w));
     std::sort(result.pixels.begin(), result.pixels.end());
     result.position = testing::readFloats(buffer.position, GL_RGBA, 4);
@@ -181,6 +187,81 @@ TEST_F(SelectTest, RegionsAreNestedRectanglesAroundTheCentre) {
     EXPECT_NEAR(rows, std::sqrt(fraction) * height, 1.001);
   }
   EXPECT_EQ(smaller.size(), static_cast<std::size_t>(width * height));
+}
+
+// Class of a contribution, as shared/structs.h says.
+std::size_t classOf(double contribution) {
+  const double octaves = std::log2(contribution) + CONTRIBUTION_OCTAVES;
+  return static_cast<std::size_t>(octaves * CONTRIBUTION_CLASSES / CONTRIBUTION_OCTAVES);
+}
+
+TEST_F(SelectTest, PixelsAreCountedByWhatTheirReflectionAdds) {
+  Settings settings;
+  settings.image.toneMap = ToneMap::none;
+  Scene scene = mirrorWall();
+  const int width = 64, height = 64;
+  // A perfect mirror adds all, on white as on black: nothing of the surface is left.
+  for (const float light : {0.0f, 1.0f}) {
+    shade = light;
+    const Selection selection = select(scene, settings, width, height);
+    std::uint32_t counted = 0;
+    for (std::size_t i = 0; i < selection.contributions.size(); ++i) {
+      counted += selection.contributions[i];
+      if (selection.contributions[i] > 0) {
+        EXPECT_GE(i, classOf(std::exp2(-0.25)) - 1);
+      }
+    }
+    EXPECT_EQ(counted, static_cast<std::uint32_t>(width * height));
+  }
+  // A weak one adds to the displayed colour less on a bright surface than on a dark one, and less in white light.
+  scene.materials[0].mirror = 0.04f;
+  double before = 1;
+  for (const float light : {0.0f, 0.1f, 0.5f, 0.9f}) {
+    shade = light;
+    const Selection selection = select(scene, settings, width, height);
+    double sum = 0, count = 0;
+    for (std::size_t i = 0; i < selection.contributions.size(); ++i) {
+      sum += selection.contributions[i] * static_cast<double>(i);
+      count += selection.contributions[i];
+    }
+    EXPECT_EQ(count, width * height);
+    const double mean = std::exp2(sum / count * CONTRIBUTION_OCTAVES / CONTRIBUTION_CLASSES - CONTRIBUTION_OCTAVES);
+    EXPECT_LT(mean, 0.9 * before) << light;
+    before = mean;
+  }
+  EXPECT_LT(before, 0.03);
+  EXPECT_GT(before, 0.001);
+}
+
+TEST_F(SelectTest, LeastContributionsGoFirstAndEqualOnesThinOut) {
+  Settings settings;
+  settings.image.toneMap = ToneMap::none;
+  // A mirror's reflectance rises towards the edges of the screen, where it is seen at an angle.
+  Scene scene = mirrorWall();
+  scene.materials[0].mirror = 0.04f;
+  const int width = 96, height = 96;
+  std::vector<std::uint32_t> larger = select(scene, settings, width, height).pixels;
+  EXPECT_EQ(larger.size(), static_cast<std::size_t>(width * height));
+  bool thinned = false;
+  for (const float least : {0.05f, 0.17f, 0.19f, 0.21f, 0.23f, 0.3f, 0.9f}) {
+    SCOPED_TRACE(least);
+    settings.select.minContribution = least;
+    const Selection selection = select(scene, settings, width, height);
+    EXPECT_EQ(selection.count.reflecting, static_cast<std::uint32_t>(width * height));
+    EXPECT_TRUE(std::includes(larger.begin(), larger.end(), selection.pixels.begin(), selection.pixels.end()));
+    EXPECT_LE(selection.pixels.size(), larger.size());
+    larger = selection.pixels;
+    // What is counted above the threshold is what is kept, but for the class that it falls into.
+    double above = 0;
+    const std::size_t at = classOf(static_cast<double>(least));
+    for (std::size_t i = at + 1; i < selection.contributions.size(); ++i) above += selection.contributions[i];
+    EXPECT_GE(static_cast<double>(larger.size()), above);
+    EXPECT_LE(static_cast<double>(larger.size()), above + selection.contributions[at]);
+    const double share = static_cast<double>(larger.size()) / (width * height);
+    thinned = thinned || (share > 0.2 && share < 0.8);
+  }
+  EXPECT_TRUE(thinned);
+  EXPECT_TRUE(larger.empty());
 }
 
 TEST_F(SelectTest, LargeQueuesStayBelowTheDispatchLimit) {

@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // A room below renderer/, or bench/, with the rooms that it may include besides itself. Whatever is not named is
-// forbidden: upward edges and sisters. "settings" and "renderer" are settings.* and renderer.*, "shared" is
+// forbidden: upward edges and sisters. "settings", "renderer" and "budget" are settings.* and so on, "shared" is
 // shaders/shared.
 const std::map<std::string, std::set<std::string>> kMayInclude = {
     {"core", {}},
@@ -28,9 +28,10 @@ const std::map<std::string, std::set<std::string>> kMayInclude = {
     {"tracing", {"core", "scene", "gl", "frame", "settings", "shared"}},
     {"renderer", {"core", "scene", "gl", "frame", "settings", "shared", "passes", "tracing"}},
     {"context", {"core"}},
+    {"budget", {"frame", "settings", "shared", "renderer"}},
     {"io", {"core", "scene", "settings"}},
     {"exact", {"core", "scene", "gl", "frame", "settings", "shared", "tracing"}},
-    {"apps", {"core", "scene", "gl", "settings", "renderer", "context", "io", "exact"}},
+    {"apps", {"core", "scene", "gl", "settings", "renderer", "budget", "context", "io", "exact"}},
     {"bench", {"core", "scene", "gl", "settings", "renderer", "context", "io", "apps"}},
 };
 
@@ -57,7 +58,7 @@ std::string room(const fs::path& path) {
   const std::string first = path.begin() == path.end() ? "" : path.begin()->string();
   if (first != path) return kMayInclude.contains(first) || first == "shared" ? first : "";
   const std::string stem = path.stem().string();
-  return stem == "settings" || stem == "renderer" ? stem : "";
+  return stem == "settings" || stem == "renderer" || stem == "budget" ? stem : "";
 }
 
 // What is wrong with an include of `included` in `file`, a path below renderer/.

@@ -1,0 +1,227 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "budget.h"
+#include "frame/shared_structs.h"
+
+namespace halfsilver {
+namespace {
+
+// A renderer in numbers: pixels whose contributions are spread evenly over the octaves from 2^-8 to 1; time and memory
+// follow the rays.
+struct Machine {
+  double pixels = 100000;
+  double fixedTime = 4, timePerRay = 2e-4;      // 24 ms with all rays
+  double fixedBytes = 1e6, bytesPerRoot = 1e4;  // 4.2 MB with all rays
+  double buildTime = 0;                         // of a frame that builds
+  double noise = 0;                             // of the time, relative
+  std::mt19937 random{7};
+  double built = 0;  // most rays since the structure was forgotten
+
+  FrameReport draw(float minContribution, bool forget) {
+    if (forget) built = 0;
+    FrameReport report;
+    report.pixels = report.reflecting = static_cast<std::uint64_t>(pixels);
+    const int first = CONTRIBUTION_CLASSES / 2;
+    report.contributions.assign(CONTRIBUTION_CLASSES, 0);
+    for (int i = first; i < CONTRIBUTION_CLASSES; ++i)
+      report.contributions[static_cast<std::size_t>(i)] = static_cast<std::uint32_t>(pixels / first);
+    const double octaves = minContribution > 0 ? std::clamp(-std::log2(minContribution), 0.0f, 8.0f) : 8.0;
+    const double rays = std::floor(pixels * octaves / 8);
+    report.selected = static_cast<std::uint64_t>(rays);
+    const double build = rays > built ? buildTime : 0;
+    built = std::max(built, rays);
+    std::uniform_real_distribution<double> factor(1 - noise, 1 + noise);
+    const double trace = rays * timePerRay * factor(random);
+    report.times = {{"build", build}, {"trace", trace}, {"frame", fixedTime + build + trace}};
+    report.memory.structureTotal = static_cast<std::uint64_t>(fixedBytes + bytesPerRoot * std::sqrt(built));
+    return report;
+  }
+};
+
+double frameTime(const FrameReport& report) { return report.times.back().milliseconds; }
+
+struct History {
+  std::vector<FrameReport> frames;
+  std::vector<float> thresholds;  // of each frame
+  int forgotten = 0;
+};
+
+History run(Machine& machine, Budget& budget, int frames) {
+  History result;
+  for (int i = 0; i < frames; ++i) {
+    const bool forget = budget.forgetStructures();
+    result.forgotten += forget;
+    result.thresholds.push_back(budget.minContribution());
+    result.frames.push_back(machine.draw(budget.minContribution(), forget));
+    budget.learn(result.frames.back());
+  }
+  return result;
+}
+
+int changes(const std::vector<float>& thresholds) {
+  int count = 0;
+  for (std::size_t i = 1; i < thresholds.size(); ++i) count += thresholds[i] != thresholds[i - 1];
+  return count;
+}
+
+TEST(ContributionThreshold, KeepsAsManyAsAskedFor) {
+  std::vector<std::uint32_t> counts(CONTRIBUTION_CLASSES, 0);
+  counts[CONTRIBUTION_CLASSES - 1] = 10;   // 2^(-1/16) .. 1
+  counts[CONTRIBUTION_CLASSES - 17] = 20;  // an octave below
+  EXPECT_EQ(contributionThreshold(counts, 30), 0);
+  EXPECT_EQ(contributionThreshold(counts, 1000), 0);
+  EXPECT_EQ(contributionThreshold(counts, 0), 1);
+  EXPECT_FLOAT_EQ(contributionThreshold(counts, 5), std::exp2(-0.5f / 16));
+  EXPECT_FLOAT_EQ(contributionThreshold(counts, 10), 0.5f);
+  EXPECT_FLOAT_EQ(contributionThreshold(counts, 20), std::exp2(-1 - 0.5f / 16));
+  EXPECT_EQ(contributionThreshold({}, 5), 0);
+}
+
+TEST(Budget, NothingGoesWhereAllFits) {
+  Machine machine;
+  Budget budget({.milliseconds = 25, .bytes = 5e6});
+  const History result = run(machine, budget, 10);
+  EXPECT_EQ(changes(result.thresholds), 0);
+  EXPECT_EQ(result.frames.back().selected, 100000u);
+  EXPECT_EQ(result.forgotten, 0);
+  EXPECT_TRUE(budget.held());
+  EXPECT_TRUE(budget.atRest());
+}
+
+TEST(Budget, TimeIsHeldFromTheSecondFrameOn) {
+  Machine machine;
+  Budget budget({.milliseconds = 12});
+  const History result = run(machine, budget, 30);
+  EXPECT_GT(frameTime(result.frames[0]), 12);
+  for (std::size_t i = 1; i < result.frames.size(); ++i) EXPECT_LE(frameTime(result.frames[i]), 12) << i;
+  EXPECT_TRUE(budget.atRest());
+  // Not much less than it could: 40,000 rays take 12 ms.
+  EXPECT_GT(result.frames.back().selected, 28000u);
+  EXPECT_LE(changes(result.thresholds), 3);
+}
+
+TEST(Budget, LeastContributionsGoFirst) {
+  Machine machine;
+  Budget budget({.milliseconds = 12});
+  run(machine, budget, 30);
+  // 8 octaves evenly filled: what is left lies above the threshold.
+  const double kept = 8 * static_cast<double>(machine.draw(budget.minContribution(), false).selected) / 1e5;
+  EXPECT_NEAR(-std::log2(static_cast<double>(budget.minContribution())), kept, 1e-3);
+  EXPECT_GT(budget.minContribution(), 1.0f / 16);
+}
+
+TEST(Budget, NoiseDoesNotMakeItSwing) {
+  Machine machine;
+  machine.noise = 0.08;
+  Budget budget({.milliseconds = 12});
+  run(machine, budget, 40);
+  const History result = run(machine, budget, 1000);
+  EXPECT_LE(changes(result.thresholds), 2);
+  int beyond = 0;
+  for (const FrameReport& frame : result.frames) beyond += frameTime(frame) > 12;
+  EXPECT_LE(beyond, 2);
+}
+
+TEST(Budget, WildNoiseIsMetWithPatience) {
+  Machine machine;
+  machine.noise = 0.5;
+  Budget budget({.milliseconds = 12});
+  run(machine, budget, 200);
+  EXPECT_LE(changes(run(machine, budget, 1000).thresholds), 60);
+}
+
+TEST(Budget, PixelsComeBackWithTheTime) {
+  Machine machine;
+  Budget budget({.milliseconds = 12});
+  run(machine, budget, 30);
+  machine.timePerRay /= 10;
+  EXPECT_EQ(run(machine, budget, 60).frames.back().selected, 100000u);
+  EXPECT_EQ(budget.minContribution(), 0);
+}
+
+TEST(Budget, WhatCannotBeHeldDropsAllAndSaysSo) {
+  Machine machine;
+  Budget budget({.milliseconds = 3});
+  const History result = run(machine, budget, 10);
+  EXPECT_EQ(result.frames.back().selected, 0u);
+  EXPECT_FALSE(budget.held());
+  EXPECT_TRUE(budget.atRest());
+  machine.fixedTime = 1;
+  EXPECT_GT(run(machine, budget, 60).frames.back().selected, 5000u);
+  EXPECT_TRUE(budget.held());
+}
+
+TEST(Budget, WhatIsBuiltOnceIsForgiven) {
+  Machine machine;
+  machine.buildTime = 50;
+  Budget budget({.milliseconds = 25});
+  EXPECT_EQ(changes(run(machine, budget, 10).thresholds), 0);
+  EXPECT_TRUE(budget.held());
+}
+
+TEST(Budget, WhatIsBuiltInEveryFrameIsNot) {
+  Machine machine;
+  Budget budget({.milliseconds = 25});
+  std::vector<double> times;
+  for (int i = 0; i < 20; ++i) {
+    machine.built = 0;
+    machine.buildTime = 1e-4 * static_cast<double>(machine.draw(budget.minContribution(), true).selected);
+    machine.built = 0;
+    const FrameReport report = machine.draw(budget.minContribution(), true);
+    times.push_back(frameTime(report));
+    budget.learn(report);
+  }
+  EXPECT_GT(times.front(), 25);
+  EXPECT_LE(times.back(), 25);
+  EXPECT_GT(budget.minContribution(), 0);
+}
+
+TEST(Budget, MemoryIsHeldAndUsed) {
+  Machine machine;
+  Budget budget({.bytes = 3e6});  // 40,000 rays
+  const History result = run(machine, budget, 60);
+  EXPECT_TRUE(budget.atRest());
+  EXPECT_TRUE(budget.held());
+  EXPECT_LE(result.frames.back().memory.structureTotal, 3e6);
+  EXPECT_GT(result.frames.back().selected, 30000u);
+  const History later = run(machine, budget, 200);
+  EXPECT_EQ(changes(later.thresholds), 0);
+  EXPECT_EQ(later.forgotten, 0);
+}
+
+TEST(Budget, WhatOtherViewsHaveBuiltGoesBeforePixels) {
+  Machine machine;
+  Budget budget({.bytes = 4.5e6});
+  run(machine, budget, 10);
+  machine.built = 150000;  // of another view
+  const History result = run(machine, budget, 10);
+  EXPECT_EQ(result.forgotten, 1);
+  EXPECT_EQ(changes(result.thresholds), 0);
+  EXPECT_TRUE(budget.held());
+}
+
+TEST(Budget, AnotherViewIsMeasuredAnew) {
+  Machine machine;
+  Budget budget({.bytes = 3e6});
+  run(machine, budget, 60);
+  machine.pixels = 20000;
+  const History result = run(machine, budget, 60);
+  EXPECT_EQ(result.frames.back().selected, 20000u);
+  EXPECT_TRUE(budget.held());
+}
+
+TEST(Budget, TheUsersOwnThresholdStays) {
+  Machine machine;
+  Budget budget({.milliseconds = 100, .leastContribution = 0.25f});
+  const History result = run(machine, budget, 20);
+  EXPECT_EQ(budget.minContribution(), 0.25f);
+  EXPECT_NEAR(static_cast<double>(result.frames.back().selected), 25000, 1);
+  EXPECT_TRUE(budget.atRest());
+}
+
+}  // namespace
+}  // namespace halfsilver
