@@ -19,6 +19,7 @@ constexpr int kVerticesPerTriangle = 6;
 // Bricks on a waiting ray's way that are built with the one it waits for; doubled each time that rays wait again. Few
 // and many small builds, or fewer builds of lists that nobody needs.
 constexpr int kFirstLookAhead = 2;
+constexpr int kKeptLookAhead = 16;  // where most bricks are there from earlier frames: another build costs more
 constexpr int kMostLookAhead = 4096;
 // Bricks that one dispatch may ask for: 65 words each while they are built (8.5 MB).
 constexpr std::uint32_t kMostRequests = 32768;
@@ -193,7 +194,7 @@ void IdentityTracer::bindStructure() const {
 void IdentityTracer::trace(const GpuScene& scene, const RayQueue& rays, Hits& hits, gl::Profiler& profiler) {
   const gl::Program& program = tracePass_.program();
   grid_.apply(program);
-  int lookAhead = kFirstLookAhead;
+  int lookAhead = used_ > 0 ? kKeptLookAhead : kFirstLookAhead;
   program.set("lookAhead", lookAhead);
   program.set("mostRequests", kMostRequests);
   bindStructure();
