@@ -274,8 +274,8 @@ TEST_F(TracingTest, MovingTrianglesLeaveNothingBehind) {
   }
   const Frame anew = drawOnce(scene, kAbove, kept, 80, 60);
   EXPECT_EQ(frame.layers.data, anew.layers.data);
-  // Besides what other views would need, only the place where they stood first holds them still.
-  EXPECT_LT(frame.report.memory.fragmentsStored, anew.report.memory.fragmentsStored * 3 / 2);
+  // Besides what other views would need, only the place where they stood first holds them still: 600 in a list or two.
+  EXPECT_LT(frame.report.memory.fragmentsStored, anew.report.memory.fragmentsStored + 2 * 600);
   EXPECT_GT(frame.report.memory.fragments, anew.report.memory.fragments) << "everything was built anew";
 }
 
