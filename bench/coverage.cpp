@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <iostream>
 #include <set>
 #include <string>
 #include <utility>
@@ -22,6 +21,9 @@ using Json = nlohmann::ordered_json;
 constexpr int kSteps = 32;  // the paper's
 constexpr int kRounds = 3;  // all points of a scene and preset, again and again
 
+// Every surface is traced, so it is not the picture of other modes.
+std::string pictureName(const std::string& scene) { return scene + " all traced"; }
+
 // In the order of measurement.
 std::vector<int> steps(bool quick) {
   std::vector<int> all = scatteredOrder(kSteps);
@@ -38,6 +40,48 @@ Settings curveSettings(const std::string& preset, SelectPattern pattern, bool qu
   return settings;
 }
 
+Plan planCoverage(const Session& session) {
+  const std::vector<std::string> presets = chosenPresets(session.request, {kDefaultPreset});
+  Plan plan;
+  const auto add = [&](const BenchScene& scene, const std::string& preset, int round, int step, SelectPattern pattern) {
+    const std::size_t triangles = scene.model.scene.triangles.size();
+    Settings settings = curveSettings(preset, pattern, session.request.quick, triangles);
+    settings.select.fraction = static_cast<float>(step) / kSteps;
+    Json key = pointKey(session.bench.describe(scene, settings), scene);
+    key["preset"] = preset;
+    key["round"] = round;
+    const std::string label =
+        scene.name + ", " + preset + ", " + std::to_string(step) + "/" + std::to_string(kSteps) + " of the screen";
+    // Time grows with what is traced, above what every frame takes.
+    plan.tasks.push_back(
+        {std::move(key), label, workOf(0.1 * (8 + step), triangles),
+         [&scene, &bench = session.bench, &folder = session.folder, settings, keeps = step == kSteps](Json& point) {
+           RunStatistics run = bench.describe(scene, settings);
+           bench.draw(scene, run);
+           addMeasured(point, run);
+           addTimes(point, run);
+           if (keeps) keepPicture(folder, pictureName(scene.name), bench);
+         }});
+  };
+  for (const BenchScene& scene : session.scenes)
+    for (const std::string& preset : presets)
+      for (int round = 0; round < kRounds; ++round)
+        for (const int step : steps(session.request.quick))
+          for (const SelectPattern pattern : {SelectPattern::region, SelectPattern::scattered})
+            add(scene, preset, round, step, pattern);
+  plan.report = [&folder = session.folder, &scenes = session.scenes](const PointList& points) {
+    const CoverageCurves curves = coverageCurves(points);
+    const ChartFiles chart = drawChart(coverageChart(curves));
+    return Report{.title = "What it costs to trace a part of the screen",
+                  .tables = {{"coverage", coverageCsv(curves)}, {"coverage_fits", fitsCsv(curves)}},
+                  .chart = chart,
+                  .body = coverageBody(curves, readPictures(folder, scenes, pictureName), chart.svg),
+                  .summary = coverageSummary(curves),
+                  .warnings = lostFragments(points)};
+  };
+  return plan;
+}
+
 }  // namespace
 
 std::vector<int> scatteredOrder(int last) {
@@ -51,52 +95,11 @@ std::vector<int> scatteredOrder(int last) {
   return order;
 }
 
-void runCoverage(const Request& request) {
-  for (const std::string& preset : request.presets)
-    curveSettings(preset, SelectPattern::region, request.quick, 0);  // a bad one must not show after an hour's work
-  const std::vector<BenchScene> scenes = loadScenes(request);
-  Workbench bench(request);
-  const OutputFolder folder(request.folder);
-  Points points(folder / "coverage.json", "coverage");
-
-  std::vector<Task> tasks;
-  const auto plan = [&](const BenchScene& scene, const std::string& preset, int round, int step,
-                        SelectPattern pattern) {
-    const std::size_t triangles = scene.model.scene.triangles.size();
-    Settings settings = curveSettings(preset, pattern, request.quick, triangles);
-    settings.select.fraction = static_cast<float>(step) / kSteps;
-    Json key = pointKey(bench.describe(scene, settings), scene);
-    key["preset"] = preset;
-    key["round"] = round;
-    const std::string label =
-        scene.name + ", " + preset + ", " + std::to_string(step) + "/" + std::to_string(kSteps) + " of the screen";
-    // Time grows with what is traced, above what every frame takes.
-    const double work = (20000 + static_cast<double>(triangles)) * (8 + step);
-    tasks.push_back({std::move(key), label, work, [&, settings, keeps = step == kSteps](Json& point) {
-                       RunStatistics run = bench.describe(scene, settings);
-                       bench.draw(scene, run);
-                       addMeasured(point, run);
-                       addTimes(point, run);
-                       if (keeps) keepPicture(folder, scene.name, bench);
-                     }});
-  };
-  for (const BenchScene& scene : scenes)
-    for (const std::string& preset : request.presets)
-      for (int round = 0; round < kRounds; ++round)
-        for (const int step : steps(request.quick))
-          for (const SelectPattern pattern : {SelectPattern::region, SelectPattern::scattered})
-            plan(scene, preset, round, step, pattern);
-  const PointList measured = measureAll(points, tasks);
-
-  const CoverageCurves curves = coverageCurves(measured);
-  writeReport(folder, {"coverage",
-                       {{"coverage", coverageCsv(curves)}, {"coverage_fits", fitsCsv(curves)}},
-                       [&](ChartFormat format) { return gnuplotScript(coverageChart(curves), format); },
-                       [&](const std::optional<std::string>& svg) {
-                         return coveragePage(curves, readPictures(folder, scenes), svg);
-                       }});
-  std::cout << toText(coverageSummary(curves));
-  warnOfLostFragments(measured);
+Mode coverageMode() {
+  return {.name = "coverage",
+          .description = "What a frame costs as more and more of the screen is traced",
+          .takesPresets = true,
+          .plan = planCoverage};
 }
 
 }  // namespace halfsilver::bench

@@ -221,12 +221,10 @@ std::optional<Curve> fittedCurve(const CoverageCurve& curve, const Quantity& qua
 }
 
 constexpr const char* kIntroduction =
-    "<p>Halfsilver draws a picture by rasterization and traces rays only where a surface reflects. This page shows "
-    "what "
-    "that saves: the share of the screen that is traced goes from nothing to all, once as a <b>region</b>, a rectangle "
-    "that grows from the centre, and once <b>scattered</b> evenly. All surfaces are traced, whether they reflect or "
-    "not, "
-    "and the structure that rays walk through is built anew in every frame, as for a scene that moves.</p>\n";
+    "<p>This part shows what it saves to trace only where a surface reflects: the share of the screen that is traced "
+    "goes from nothing to all, once as a <b>region</b>, a rectangle that grows from the centre, and once "
+    "<b>scattered</b> evenly. All surfaces are traced, whether they reflect or not, and the structure is built anew in "
+    "every frame, as for a scene that moves.</p>\n";
 
 constexpr const char* kMethod =
     "<ul>\n"
@@ -366,19 +364,17 @@ PanelGrid coverageChart(const CoverageCurves& curves) {
   return grid;
 }
 
-std::string coveragePage(const CoverageCurves& curves, const std::vector<ScenePicture>& scenes,
+std::string coverageBody(const CoverageCurves& curves, const std::vector<ScenePicture>& scenes,
                          const std::optional<std::string>& svg) {
   PointList whole;  // the points of the largest share
   for (const CoverageCurve& curve : curves) whole.push_back(curve.points.back());
   const auto caption = [](const Json& point) {
     return std::string(", a surface in ") + percent(coverage(point)) + " of the pixels";
   };
-  const std::string body =
-      kIntroduction + paragraph(measuredWith(whole.front())) + gallery(scenes, whole, caption) +
-      heading("Time and memory over coverage") + chartFigure(svg, "Dashed: the straight line that fits best.") +
-      kMethod + heading("Straight lines") + linearity(curves) + smallShares(curves) + toHtml(fitTable(curves)) +
-      paragraph(kFits) + heading("Jumps") + toHtml(jumpTable(curves)) + paragraph(kJumps);
-  return page("Halfsilver: what it costs to trace a part of the screen", body);
+  return kIntroduction + gallery(scenes, whole, caption) + heading("Time and memory over coverage") +
+         chartFigure(svg, "Dashed: the straight line that fits best.") + kMethod + heading("Straight lines") +
+         linearity(curves) + smallShares(curves) + toHtml(fitTable(curves)) + paragraph(kFits) + heading("Jumps") +
+         toHtml(jumpTable(curves)) + paragraph(kJumps);
 }
 
 }  // namespace halfsilver::bench

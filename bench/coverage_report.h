@@ -8,7 +8,7 @@
 #include "bench/report.h"
 #include "bench/table.h"
 
-// The points of the mode `coverage` as tables, charts and a page.
+// The points of the mode `coverage` as tables, charts and the text of its page.
 namespace halfsilver::bench {
 
 // The points of one scene, preset and pattern, by the share of the screen that was asked for.
@@ -25,7 +25,7 @@ Table coverageCsv(const CoverageCurves& curves);      // plain numbers, one row 
 Table fitsCsv(const CoverageCurves& curves);          // one row a curve and quantity
 Table coverageSummary(const CoverageCurves& curves);  // for a terminal
 PanelGrid coverageChart(const CoverageCurves& curves);
-std::string coveragePage(const CoverageCurves& curves, const std::vector<ScenePicture>& scenes,
+std::string coverageBody(const CoverageCurves& curves, const std::vector<ScenePicture>& scenes,
                          const std::optional<std::string>& svg);
 
 }  // namespace halfsilver::bench

@@ -1,8 +1,8 @@
 #include "bench/memory.h"
 
 #include <algorithm>
-#include <iostream>
 #include <map>
+#include <memory>
 #include <utility>
 
 #include "apps/drawing.h"
@@ -70,30 +70,11 @@ class Truth {
   std::map<SelectMode, Image> layers_;
 };
 
-// The points of a request: those that the folder holds, and the others measured.
 class Measurement {
  public:
   Measurement(const OutputFolder& folder, Workbench& bench) : folder_(&folder), bench_(&bench) {}
 
-  PointList run(const Request& request, const std::vector<BenchScene>& scenes) {
-    Points points(*folder_ / "memory.json", "memory");
-    std::vector<Task> tasks;
-    for (const BenchScene& scene : scenes) {
-      const std::size_t triangles = scene.model.scene.triangles.size();
-      const bool exact = static_cast<bool>(exactFactory(scene.model.scene, 0));
-      for (const Variant& variant : variants(request.quick, triangles, exact)) {
-        Task task{pointKey(bench_->describe(scene, variant.settings), scene), scene.name + ", " + variant.name,
-                  // Time grows with the triangles, above what every frame takes.
-                  20000 + static_cast<double>(triangles),
-                  [this, &scene, variant](Json& point) { measure(scene, variant, point); }};
-        task.key["preset"] = variant.name;
-        tasks.push_back(std::move(task));
-      }
-    }
-    return measureAll(points, tasks);
-  }
-
- private:
+  // Adds the measured members to the point.
   void measure(const BenchScene& scene, const Variant& variant, Json& point) {
     RunStatistics run = bench_->describe(scene, variant.settings);
     bench_->draw(scene, run);
@@ -108,10 +89,37 @@ class Measurement {
     }
   }
 
+ private:
   const OutputFolder* folder_;
   Workbench* bench_;
   Truth truth_;
 };
+
+Plan planMemory(const Session& session) {
+  const auto measurement = std::make_shared<Measurement>(session.folder, session.bench);
+  Plan plan;
+  for (const BenchScene& scene : session.scenes) {
+    const std::size_t triangles = scene.model.scene.triangles.size();
+    const bool exact = static_cast<bool>(exactFactory(scene.model.scene, 0));
+    for (const Variant& variant : variants(session.request.quick, triangles, exact)) {
+      Task task{pointKey(session.bench.describe(scene, variant.settings), scene), scene.name + ", " + variant.name,
+                workOf(3, triangles),
+                [measurement, &scene, variant](Json& point) { measurement->measure(scene, variant, point); }};
+      task.key["preset"] = variant.name;
+      plan.tasks.push_back(std::move(task));
+    }
+  }
+  plan.report = [&folder = session.folder, &scenes = session.scenes](const PointList& points) {
+    const ChartFiles chart = drawChart(memoryChart(points));
+    return Report{.title = "What reflections take in memory",
+                  .tables = {{"memory", memoryCsv(points)}},
+                  .chart = chart,
+                  .body = memoryBody(points, readPictures(folder, scenes), chart.svg),
+                  .summary = memorySummary(points),
+                  .warnings = lostFragments(points)};
+  };
+  return plan;
+}
 
 }  // namespace
 
@@ -132,19 +140,10 @@ double singleOverThree(const Scene& scene) {
   return three > 0 ? single / three : 1;
 }
 
-void runMemory(const Request& request) {
-  const std::vector<BenchScene> scenes = loadScenes(request);
-  Workbench bench(request);
-  const OutputFolder folder(request.folder);
-  const PointList points = Measurement(folder, bench).run(request, scenes);
-  writeReport(folder, {"memory",
-                       {{"memory", memoryCsv(points)}},
-                       [&](ChartFormat format) { return gnuplotScript(memoryChart(points), format); },
-                       [&](const std::optional<std::string>& svg) {
-                         return memoryPage(points, readPictures(folder, scenes), svg);
-                       }});
-  std::cout << toText(memorySummary(points));
-  warnOfLostFragments(points);
+Mode memoryMode() {
+  return {.name = "memory",
+          .description = "What each method's structure takes, and how wrong its hits are",
+          .plan = planMemory};
 }
 
 }  // namespace halfsilver::bench

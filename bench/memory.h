@@ -1,12 +1,12 @@
 #pragma once
 
-#include "bench/request.h"
+#include "bench/mode.h"
 #include "scene/scene.h"
 
 namespace halfsilver::bench {
 
-// The bytes of each method's structure, scene by scene: memory.csv, .json, .svg, .png and index.html.
-void runMemory(const Request& request);
+// The bytes of each method's structure, scene by scene: memory.csv, .json, .svg and .png.
+Mode memoryMode();
 
 // Fragments in a single A-buffer per fragment in three, as the triangles' normals foretell it where each triangle is
 // kept in its own dominant axis: a triangle makes fragments in proportion to its area as each axis sees it, counted in

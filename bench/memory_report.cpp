@@ -102,28 +102,16 @@ Table claimTable(const PointList& points) {
 }
 
 constexpr const char* kIntroduction =
-    "<p>Halfsilver draws a picture by rasterization and traces rays only where a surface reflects. To find what a ray "
-    "meets without ray-tracing hardware, the triangles are rasterized once more, from three sides, into a structure "
-    "that "
-    "rays can walk through: a coarse grid of voxels, and an <em>A-buffer</em>, which keeps a list of surface fragments "
-    "for each texel. This page shows how much GPU memory that structure takes for each method, and what share of the "
-    "rays then hits something else than an exact ray tracer on the CPU.</p>\n";
+    "This part shows how much GPU memory the structure takes for each method, and what share of the rays then hits "
+    "something else than an exact ray tracer on the CPU.";
 
 constexpr const char* kMethods =
     "<ul>\n"
-    "<li><b>halfsilver</b>: the default. A fragment is the number of its triangle (4 bytes), kept in one of three axes "
-    "and "
-    "only for voxels that a ray asks for; the ray is tested against the triangle itself.</li>\n"
-    "<li><b>kastrati2017</b>: Kastrati &amp; Goswami 2017. A fragment holds the surface's attributes (32 bytes) and is "
-    "kept "
-    "in the dominant axis of its voxel, in pages of four.</li>\n"
-    "<li><b>kastrati2017 three</b>: the same pages, but every fragment is kept in all three axes: the fair baseline "
-    "for "
-    "what one A-buffer saves.</li>\n"
-    "<li><b>hu2014</b>: Hu et al. 2014. All three axes, in sorted linked lists; rays for reflective pixels, or for all "
-    "as "
-    "in the paper. The structure is the same for both.</li>\n"
-    "<li><b>reference</b>: Embree's tree on the CPU, exact; its bytes are not GPU memory.</li>\n"
+    "<li><b>kastrati2017 three</b>: Kastrati &amp; Goswami's pages, but every fragment is kept in all three axes: the "
+    "fair baseline for what one A-buffer saves.</li>\n"
+    "<li><b>hu2014</b>: rays for reflective pixels, or for all as in the paper. The structure is the same for "
+    "both.</li>\n"
+    "<li><b>reference</b>: the bytes of Embree's tree are not GPU memory.</li>\n"
     "</ul>\n";
 
 constexpr const char* kDifferences =
@@ -223,12 +211,12 @@ StackedBars memoryChart(const PointList& points) {
   return chart;
 }
 
-std::string memoryPage(const PointList& points, const std::vector<ScenePicture>& scenes,
+std::string memoryBody(const PointList& points, const std::vector<ScenePicture>& scenes,
                        const std::optional<std::string>& svg) {
   const auto coverage = [](const Json& point) {
     return std::string(", ") + percent(point["pixels"]["coverage"].get<double>()) + " of the pixels reflect";
   };
-  std::string body = kIntroduction + paragraph(measuredWith(points.front())) + gallery(scenes, points, coverage);
+  std::string body = paragraph(kIntroduction) + gallery(scenes, points, coverage);
   body += heading("Structures side by side") +
           chartFigure(svg,
                       "The axis is logarithmic: compare the tops of the bars. A part's height shows what it adds to "
@@ -247,7 +235,7 @@ std::string memoryPage(const PointList& points, const std::vector<ScenePicture>&
               "A-buffer memory is heads and pool, in MB. The paper: M. F. Kastrati, P. Goswami, Selective rasterized "
               "ray-traced reflections on the GPU, 2017, table 1 (Hu et al. against theirs; 1024 x 1024 texels).") +
           kDifferences;
-  return page("Halfsilver: what reflections take in memory", body);
+  return body;
 }
 
 }  // namespace halfsilver::bench

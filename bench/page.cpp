@@ -8,6 +8,8 @@ namespace {
 constexpr const char* kStyle = R"(
 body { font: 16px/1.5 system-ui, sans-serif; color: #222; background: #fff; max-width: 68rem; margin: 2rem auto; padding: 0 1rem; }
 h1 { line-height: 1.2; } h2 { margin-top: 2.2rem; }
+article { border-top: 2px solid #888; margin-top: 3rem; } article h1 { font-size: 1.6rem; }
+nav li { margin: 0.3rem 0; }
 p, li { max-width: 46rem; }
 .table { overflow-x: auto; }
 table { border-collapse: collapse; font-size: 0.85rem; }
@@ -43,6 +45,10 @@ std::string page(const std::string& title, const std::string& body) {
          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
          escapeHtml(title) + "</title>\n<style>" + kStyle + "</style>\n</head>\n<body>\n<h1>" + escapeHtml(title) +
          "</h1>\n" + body + "</body>\n</html>\n";
+}
+
+std::string article(const std::string& id, const std::string& title, const std::string& body) {
+  return "<article id=\"" + escapeHtml(id) + "\">\n<h1>" + escapeHtml(title) + "</h1>\n" + body + "</article>\n";
 }
 
 std::string heading(const std::string& text) { return "<h2>" + escapeHtml(text) + "</h2>\n"; }

@@ -10,6 +10,8 @@
 
 namespace halfsilver::bench {
 
+using PointList = std::vector<nlohmann::ordered_json>;
+
 // What was measured, point by point, in one JSON file that is whole after each of them: an interrupted run goes on
 // where it was.
 class Points {

@@ -11,6 +11,25 @@
 #include "io/atomic_file.h"
 
 namespace halfsilver::bench {
+namespace {
+
+constexpr const char* kIntroduction = R"(<p>Halfsilver draws a picture by rasterization and traces rays only where a
+surface reflects. To find what a ray meets without ray-tracing hardware, the triangles are rasterized once more, from
+three sides, into a <em>structure</em> that rays can walk through: a coarse grid of voxels, and an <em>A-buffer</em>,
+which keeps a list of surface fragments for each texel. Methods differ in what a fragment is, where it is kept and how
+rays search for it. A <em>preset</em> is a method with all its settings:</p>
+<ul>
+<li><b>halfsilver</b>: the default. A fragment is the number of its triangle (4 bytes), kept in one of three axes and
+only for voxels that a ray asks for; the ray is tested against the triangle itself.</li>
+<li><b>kastrati2017</b>: Kastrati &amp; Goswami 2017. A fragment holds the surface's attributes (32 bytes) and is kept
+in the dominant axis of its voxel, in pages of four; rays compare depths.</li>
+<li><b>hu2014</b>: Hu et al. 2014. The same fragments in all three axes, in sorted linked lists.</li>
+<li><b>reference</b>: exact rays on the CPU (Embree). It traces the same rays, so a difference from it is an error of
+the method.</li>
+</ul>
+)";
+
+}  // namespace
 
 using Json = nlohmann::ordered_json;
 
@@ -26,6 +45,8 @@ std::string megabytes(double bytes) { return number(bytes / 1e6, bytes < 1e7 ? 2
 std::string sceneOf(const Json& point) { return point["scene"]["file"].get<std::string>(); }
 std::string presetOf(const Json& point) { return point["preset"].get<std::string>(); }
 double memory(const Json& point, const char* name) { return point["memory"][name].get<double>(); }
+
+std::string introduction() { return kIntroduction; }
 
 std::string measuredWith(const Json& point) {
   const Json& device = point["device"];
@@ -54,9 +75,11 @@ void keepPicture(const OutputFolder& folder, const std::string& name, const Work
   file.commit();
 }
 
-std::vector<ScenePicture> readPictures(const OutputFolder& folder, const std::vector<BenchScene>& scenes) {
+std::vector<ScenePicture> readPictures(const OutputFolder& folder, const std::vector<BenchScene>& scenes,
+                                       std::string (*nameOf)(const std::string&)) {
   std::vector<ScenePicture> pictures;
-  for (const BenchScene& scene : scenes) pictures.push_back({scene.name, readBytes(folder / pictureFile(scene.name))});
+  for (const BenchScene& scene : scenes)
+    pictures.push_back({scene.name, readBytes(folder / pictureFile(nameOf ? nameOf(scene.name) : scene.name))});
   return pictures;
 }
 
@@ -80,31 +103,35 @@ std::string chartFigure(const std::optional<std::string>& svg, const std::string
   return inlineSvg(*svg) + paragraph(explanation);
 }
 
-void writeReport(const OutputFolder& folder, const Report& report) {
-  std::optional<std::string> svg, png;
-  if (report.chart) {
-    svg = runGnuplot(report.chart(ChartFormat::svg));
-    png = runGnuplot(report.chart(ChartFormat::png));
-  }
+void writeReports(const OutputFolder& folder, std::span<const Report> reports, const std::string& page) {
   std::vector<std::pair<std::string, std::string>> texts;
-  for (const auto& [name, table] : report.tables) texts.emplace_back(name + ".csv", toCsv(table));
-  if (svg) texts.emplace_back(report.mode + ".svg", *svg);
-  if (png) texts.emplace_back(report.mode + ".png", *png);
-  texts.emplace_back("index.html", report.page(svg));
+  bool missing = false;
+  for (const Report& report : reports) {
+    for (const auto& [name, table] : report.tables) texts.emplace_back(name + ".csv", toCsv(table));
+    if (!report.chart) continue;
+    missing = missing || !report.chart->svg;
+    if (report.chart->svg) texts.emplace_back(report.mode + ".svg", *report.chart->svg);
+    if (report.chart->png) texts.emplace_back(report.mode + ".png", *report.chart->png);
+  }
+  texts.emplace_back("index.html", page);
   std::vector<AtomicFile> files;
   for (const auto& [name, text] : texts) files.emplace_back(folder / name).write(text);
   for (AtomicFile& file : files) file.commit();
-  if (svg || !report.chart) return;
-  // Charts of an earlier run would not be those of this table.
-  for (const char* extension : {".svg", ".png"}) std::filesystem::remove(folder / (report.mode + extension));
+  if (!missing) return;
+  // Charts of an earlier run would not be those of these tables.
+  for (const Report& report : reports)
+    for (const char* extension : {".svg", ".png"})
+      if (report.chart) std::filesystem::remove(folder / (report.mode + extension));
   std::cerr << "warning: gnuplot is not installed (Debian: gnuplot-nox); there are no charts\n";
 }
 
-void warnOfLostFragments(const PointList& points) {
+std::vector<std::string> lostFragments(const PointList& points) {
+  std::vector<std::string> warnings;
   for (const Json& point : points)
     if (point["lost_fragments"] != 0)
-      std::cerr << "warning: " << sceneOf(point) << ", " << presetOf(point) << ": " << point["lost_fragments"]
-                << " fragments found no room in the A-buffer\n";
+      warnings.push_back(sceneOf(point) + ", " + presetOf(point) + ": " + point["lost_fragments"].dump() +
+                         " fragments found no room in the A-buffer");
+  return warnings;
 }
 
 }  // namespace halfsilver::bench

@@ -1,9 +1,8 @@
 #include "bench/request.h"
 
+#include <algorithm>
 #include <filesystem>
-#include <memory>
 #include <set>
-#include <utility>
 
 #include "core/error.h"
 
@@ -13,63 +12,77 @@ namespace {
 constexpr const char* kSize = "960x540";
 constexpr const char* kQuickSize = "160x90";
 
-// The texts of the options that are checked after the parse.
-struct Texts {
-  std::string size, eye, target;
-};
-
 [[noreturn]] void reject(const std::string& what) { throw Error(ErrorKind::usage, what); }
 
-void check(Request& request, const Texts& texts) {
-  request.size = parseSize(!texts.size.empty() ? texts.size : request.quick ? kQuickSize : kSize);
-  if (!texts.eye.empty()) request.camera.eye = parseVector("--eye", texts.eye);
-  if (!texts.target.empty()) request.camera.target = parseVector("--target", texts.target);
-  for (const std::string& text : request.mirrors) parseMirror(text);
-  const bool ownCamera = request.camera.eye || request.camera.target || request.camera.fov;
-  if (request.scenes.size() > 1 && (ownCamera || !request.camera.name.empty()))
-    reject("a camera of your own goes with one scene");
-  std::set<std::string> names;
-  for (const std::string& scene : request.scenes)
-    if (!names.insert(sceneName(scene)).second) reject("two scenes have the name " + sceneName(scene));
-  names.clear();
-  for (const std::string& preset : request.presets)
-    if (!names.insert(preset).second) reject(preset + " is to be measured twice");
+// Throws Error (usage) where two are alike.
+void checkTwice(const std::vector<std::string>& names, const std::string& complaint) {
+  std::set<std::string> seen;
+  for (const std::string& name : names)
+    if (!seen.insert(name).second) reject(name + ' ' + complaint);
+}
+
+// The view with its scene by sceneName().
+ViewArgument viewOf(const Request& request, const std::string& text) {
+  ViewArgument view = parseView(text);
+  const auto named = std::find_if(request.scenes.begin(), request.scenes.end(), [&](const std::string& scene) {
+    return view.scene == scene || view.scene == sceneName(scene);
+  });
+  if (named == request.scenes.end()) reject("--view: there is no scene '" + view.scene + "' in this command");
+  view.scene = sceneName(*named);
+  return view;
 }
 
 }  // namespace
 
-void addMode(CLI::App& program, const std::string& name, const std::string& description,
-             std::function<void(const Request&)> run, const std::function<void(CLI::App&, Request&)>& addOptions) {
-  CLI::App* command = program.add_subcommand(name, description);
-  const auto shared = std::make_shared<std::pair<Request, Texts>>();
-  auto& [request, texts] = *shared;
-  command->add_option("SCENE", request.scenes, ".gltf or .glb files, or builtin:NAME")->required();
-  command->add_option("-o,--output", request.folder, "Folder of the results; what it holds is not measured again")
+void addRequestOptions(CLI::App& command, Request& request, RequestTexts& texts) {
+  command.add_option("SCENE", request.scenes, ".gltf or .glb files, or builtin:NAME")->required();
+  command.add_option("-o,--output", request.folder, "Folder of the results; what it holds is not measured again")
       ->required();
-  command->add_option("--size", texts.size,
-                      std::string("WIDTHxHEIGHT in pixels (default: ") + kSize + ", quick: " + kQuickSize + ")");
-  command->add_flag("--quick", request.quick, "Small pictures and coarse structures: to see that all works");
-  command->add_option("--context", request.context, "Where OpenGL comes from: auto, egl, osmesa")
+  command.add_option("--size", texts.size,
+                     std::string("WIDTHxHEIGHT in pixels (default: ") + kSize + ", quick: " + kQuickSize + ")");
+  command.add_flag("--quick", request.quick, "Small pictures and coarse structures: to see that all works");
+  command.add_option("--context", request.context, "Where OpenGL comes from: auto, egl, osmesa")
       ->check(CLI::IsMember({"auto", "egl", "osmesa"}))
       ->capture_default_str();
-  command->add_option("--mirror", request.mirrors, "MATERIAL=REFLECTIVITY: a mirror of a material; * for all")
+  command
+      .add_option("--mirror", request.mirrors,
+                  "MATERIAL=REFLECTIVITY: a mirror of a material in all scenes that have it, or * for all materials; "
+                  "SCENE:MATERIAL=REFLECTIVITY in one scene")
       ->allow_extra_args(false);
-  command->add_option("--camera", request.camera.name, "Name or index of a camera of the scene (default: the first)");
-  command->add_option("--eye", texts.eye, "X,Y,Z of a camera of your own, world coordinates; with --target");
-  command->add_option("--target", texts.target, "X,Y,Z that it looks at");
-  command->add_option("--fov", request.camera.fov, "Vertical field of view in degrees");
-  if (addOptions) addOptions(*command, request);
-  command->callback([shared, run = std::move(run)] {
-    check(shared->first, shared->second);
-    run(shared->first);
-  });
+  command.add_option("--camera", request.camera.name, "Name or index of a camera of the scene (default: the first)");
+  command.add_option("--eye", texts.eye, "X,Y,Z of a camera of your own, world coordinates; with --target");
+  command.add_option("--target", texts.target, "X,Y,Z that it looks at");
+  command.add_option("--fov", request.camera.fov, "Vertical field of view in degrees");
+  command
+      .add_option("--view", texts.views,
+                  "SCENE=EX,EY,EZ,TX,TY,TZ[,FOV]: eye, target and field of view for one of several scenes, repeatable")
+      ->allow_extra_args(false);
 }
 
-void addPresetOption(CLI::App& command, Request& request) {
-  request.presets = {kDefaultPreset};
-  command.add_option("--preset", request.presets, "A preset to measure, repeatable (see: halfsilver presets)")
-      ->allow_extra_args(false)
-      ->capture_default_str();
+void checkRequest(Request& request, const RequestTexts& texts) {
+  request.size = parseSize(!texts.size.empty() ? texts.size : request.quick ? kQuickSize : kSize);
+  if (!texts.eye.empty()) request.camera.eye = parseVector("--eye", texts.eye);
+  if (!texts.target.empty()) request.camera.target = parseVector("--target", texts.target);
+  for (const std::string& text : request.mirrors) parseMirror(text);
+  std::vector<std::string> names, viewed;
+  for (const std::string& scene : request.scenes) names.push_back(sceneName(scene));
+  checkTwice(names, "is the name of two scenes");
+  for (const std::string& text : texts.views) {
+    request.views.push_back(viewOf(request, text));
+    viewed.push_back(request.views.back().scene);
+  }
+  checkTwice(viewed, "has two views");
+  const CameraRequest& camera = request.camera;
+  if (camera.eye || camera.target || camera.fov || !camera.name.empty()) {
+    if (request.scenes.size() > 1) reject("a camera for several scenes is given with --view");
+    if (!request.views.empty()) reject("--view excludes the other options of the camera");
+  }
+  checkTwice(request.presets, "is to be measured twice");
+  checkTwice(request.methods, "is to be measured twice");
+}
+
+std::vector<std::string> chosenPresets(const Request& request, const std::vector<std::string>& otherwise) {
+  return request.presets.empty() ? otherwise : request.presets;
 }
 
 std::string sceneName(const std::string& scene) {

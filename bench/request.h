@@ -1,7 +1,6 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -19,20 +18,28 @@ struct Request {
   Size size;
   bool quick = false;
   std::string context = "auto";
-  std::vector<std::string> mirrors;  // MATERIAL=REFLECTIVITY
+  std::vector<std::string> mirrors;  // MATERIAL=REFLECTIVITY or SCENE:MATERIAL=REFLECTIVITY
   CameraRequest camera;              // for one scene; otherwise each scene's own
-  std::vector<std::string> presets;  // see addPresetOption()
+  std::vector<ViewArgument> views;   // scenes by sceneName()
+  std::vector<std::string> presets;  // none: the mode's own
+  std::vector<std::string> methods;  // of stability; none: all
 };
 
-// Adds a command to the program that checks its options and runs the mode at the end of the parse. `addOptions` adds
-// what only this mode takes.
-void addMode(CLI::App& program, const std::string& name, const std::string& description,
-             std::function<void(const Request&)> run, const std::function<void(CLI::App&, Request&)>& addOptions = {});
-
-// Which presets a mode measures; the default one where none is named.
-void addPresetOption(CLI::App& command, Request& request);
+// Those of the request, or these.
+std::vector<std::string> chosenPresets(const Request& request, const std::vector<std::string>& otherwise);
 
 // How outputs call a scene: "builtin:sphere", or the file's name without its folder.
 std::string sceneName(const std::string& scene);
+
+// The texts of the options that checkRequest() makes values of.
+struct RequestTexts {
+  std::string size, eye, target;
+  std::vector<std::string> views;
+};
+
+// Adds what all modes take; both must outlive the command.
+void addRequestOptions(CLI::App& command, Request& request, RequestTexts& texts);
+// Throws Error (usage).
+void checkRequest(Request& request, const RequestTexts& texts);
 
 }  // namespace halfsilver::bench

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <iostream>
 #include <map>
+#include <memory>
 #include <utility>
 
 #include "apps/drawing.h"
@@ -120,6 +120,9 @@ class Measurement {
     return key;
   }
 
+  // Drawn for a point.
+  int framesOfPoint() const { return frames() + (quick_ ? kQuickRepeats : kRepeats); }
+
   // Adds the measured members to the point.
   void measure(BenchScene& scene, const Subject& subject, const Variant& variant, Json& point) {
     const std::vector<Image>& exact = truth(scene, subject);
@@ -218,9 +221,9 @@ std::map<std::string, std::string> readPictures(const OutputFolder& folder, cons
 // The methods that were asked for.
 std::vector<Variant> chosenVariants(const Request& request) {
   std::vector<Variant> all = variants(request.quick);
-  if (request.presets.empty()) return all;
+  if (request.methods.empty()) return all;
   std::vector<Variant> chosen;
-  for (const std::string& name : request.presets) {
+  for (const std::string& name : request.methods) {
     const auto known =
         std::find_if(all.begin(), all.end(), [&](const Variant& variant) { return variant.name == name; });
     if (known == all.end()) throw Error(ErrorKind::usage, "--method " + name + ": there is no such method");
@@ -229,46 +232,53 @@ std::vector<Variant> chosenVariants(const Request& request) {
   return chosen;
 }
 
-}  // namespace
-
-void addStabilityOptions(CLI::App& command, Request& request) {
-  command.get_option("SCENE")->required(false);
-  command.add_option("--method", request.presets, "A method to measure, repeatable (default: all)")
-      ->allow_extra_args(false);
+Request withFailureScenes(Request request) {
+  for (const FailureScene& failure : failureScenes()) {
+    std::string name("builtin:");
+    name += failure.name;
+    request.scenes.push_back(std::move(name));
+  }
+  return request;
 }
 
-void runStability(const Request& request) {
-  Request all = request;
-  if (all.scenes.empty())
-    for (const FailureScene& failure : failureScenes()) {
-      std::string name("builtin:");
-      name += failure.name;
-      all.scenes.push_back(std::move(name));
-    }
-  const std::vector<Variant> methods = chosenVariants(all);
-  std::vector<BenchScene> scenes = loadScenes(all);
+Plan planStability(const Session& session) {
+  const std::vector<Variant> methods = chosenVariants(session.request);
+  const auto failures = std::make_shared<std::vector<BenchScene>>();
+  if (session.scenes.empty()) *failures = loadScenes(withFailureScenes(session.request));
+  std::vector<BenchScene>& scenes = session.scenes.empty() ? *failures : session.scenes;
   if (!exactFactory(scenes.front().model.scene, 0))
     throw Error(ErrorKind::failed, "stability needs the reference: build with Embree");
-  Workbench bench(all);
-  const OutputFolder folder(all.folder);
-  Measurement measurement(all.quick, folder, bench);
-  std::vector<Task> tasks;
+  const auto measurement = std::make_shared<Measurement>(session.request.quick, session.folder, session.bench);
+  Plan plan;
   for (BenchScene& scene : scenes) {
     const Subject subject = subjectOf(scene);
     for (Variant variant : methods) {
       variant.settings.trace.bounces = subject.bounces;
-      tasks.push_back({measurement.key(scene, variant), scene.name + ", " + variant.name, 1,
-                       [&measurement, &scene, subject, variant](Json& point) {
-                         measurement.measure(scene, subject, variant, point);
-                       }});
+      plan.tasks.push_back({measurement->key(scene, variant), scene.name + ", " + variant.name,
+                            workOf(measurement->framesOfPoint(), scene.model.scene.triangles.size()),
+                            [measurement, failures, &scene, subject, variant](Json& point) {
+                              measurement->measure(scene, subject, variant, point);
+                            }});
     }
   }
-  Points kept(folder / "stability.json", "stability");
-  const PointList points = measureAll(kept, tasks);
-  writeReport(folder, {"stability", {{"stability", stabilityCsv(points)}}, {}, [&](const std::optional<std::string>&) {
-                         return stabilityPage(points, readPictures(folder, points));
-                       }});
-  std::cout << toText(stabilityTable(points));
+  plan.report = [&folder = session.folder](const PointList& points) {
+    return Report{.title = "Where methods fail",
+                  .tables = {{"stability", stabilityCsv(points)}},
+                  .chart = std::nullopt,
+                  .body = stabilityBody(points, readPictures(folder, points)),
+                  .summary = stabilityTable(points)};
+  };
+  return plan;
+}
+
+}  // namespace
+
+Mode stabilityMode() {
+  return {.name = "stability",
+          .description = "Where each method fails, still and in motion",
+          .takesMethods = true,
+          .bringsOwnScenes = true,
+          .plan = planStability};
 }
 
 }  // namespace halfsilver::bench

@@ -66,10 +66,8 @@ Table survivors(const PointList& points) {
 }
 
 constexpr const char* kIntroduction =
-    "<p>Halfsilver traces rays through structures that rasterization makes. Each scene here is the smallest that "
-    "breaks "
-    "some method, and is named for the cause. Every method draws it still and over a slow move of the camera or of an "
-    "object, and is compared with exact rays on the CPU, ray for ray.</p>\n";
+    "Each scene of this part is the smallest that breaks some method, and is named for the cause. Every method draws "
+    "it still and over a slow move of the camera or of an object, and is compared with the reference ray for ray.";
 
 constexpr const char* kMeasures =
     "<ul>\n<li><b>Wrong hits</b>: the share of the rays that hit where the reference misses, miss where it hits, or "
@@ -118,9 +116,9 @@ Table stabilityCsv(const PointList& points) {
   return table;
 }
 
-std::string stabilityPage(const PointList& points, const std::map<std::string, std::string>& pictures) {
-  std::string body = kIntroduction;
-  body += paragraph(measuredWith(points.front()) + " Steps of a move: " + points.front()["frames"].dump() + '.');
+std::string stabilityBody(const PointList& points, const std::map<std::string, std::string>& pictures) {
+  std::string body =
+      paragraph(std::string(kIntroduction) + " A move has " + points.front()["frames"].dump() + " steps.");
   body += heading("Who survives what") + toHtml(survivors(points)) + kMeasures;
   body += heading("The pictures") +
           paragraph("The reference, then each method; a method that survives shows the same picture.");
@@ -142,7 +140,7 @@ std::string stabilityPage(const PointList& points, const std::map<std::string, s
     body += "</div>\n";
   }
   body += heading("All figures") + toHtml(stabilityTable(points));
-  return page("Halfsilver: where methods fail", body);
+  return body;
 }
 
 std::string pictureName(const std::string& scene, const std::string& method) {

@@ -1,7 +1,9 @@
 #include "bench/workbench.h"
 
 #include <algorithm>
+#include <array>
 #include <iostream>
+#include <set>
 #include <utility>
 
 #include "apps/drawing.h"
@@ -15,21 +17,48 @@ namespace {
 constexpr int kThumbnail = 480;              // pixels
 constexpr std::size_t kLargeScene = 150000;  // triangles; the papers' large one is Sponza with 262,000
 
+// The text of --mirror for one scene, without the scene's name before the material; nothing where it is not for it.
+// Where it can be for no other scene it is for this one, whatever materials there are.
+std::optional<std::string> mirrorFor(const std::string& name, const Scene& scene, const std::string& text,
+                                     bool onlyScene) {
+  if (text.starts_with(name + ':')) return text.substr(name.size() + 1);
+  const std::string material = parseMirror(text).material;
+  const bool has = std::any_of(scene.materials.begin(), scene.materials.end(),
+                               [&](const Material& m) { return material == "*" || m.name == material; });
+  if (has || onlyScene) return text;
+  return std::nullopt;
+}
+
+CameraRequest cameraFor(const std::string& name, const Request& request) {
+  for (const ViewArgument& view : request.views)
+    if (view.scene == name) return {"", view.eye, view.target, view.fov};
+  return request.camera;
+}
+
 }  // namespace
 
 std::vector<BenchScene> loadScenes(const Request& request) {
-  std::vector<MirrorArgument> mirrors;
-  for (const std::string& text : request.mirrors) mirrors.push_back(parseMirror(text));
   std::vector<BenchScene> scenes;
   std::vector<std::string> warnings;
+  std::set<std::string> usedMirrors;
   for (const std::string& file : request.scenes) {
+    const std::string name = sceneName(file);
     Model model = loadScene(file);
-    applyMirrors(model.scene, mirrors);
-    const Camera camera = chooseCamera(model.scene, request.camera);
+    std::vector<std::string> mirrors;
+    for (const std::string& text : request.mirrors)
+      if (const auto mirror = mirrorFor(name, model.scene, text, request.scenes.size() == 1)) {
+        mirrors.push_back(*mirror);
+        applyMirrors(model.scene, std::array{parseMirror(*mirror)});
+        usedMirrors.insert(text);
+      }
+    const Camera camera = chooseCamera(model.scene, cameraFor(name, request));
     const double diagonal = model.scene.bounds().diagonal();
-    for (const std::string& warning : model.warnings) warnings.push_back(sceneName(file) + ": " + warning);
-    scenes.push_back({sceneName(file), std::move(model), camera, request.mirrors, diagonal});
+    for (const std::string& warning : model.warnings) warnings.push_back(name + ": " + warning);
+    scenes.push_back({name, std::move(model), camera, std::move(mirrors), diagonal});
   }
+  for (const std::string& text : request.mirrors)
+    if (!scenes.empty() && !usedMirrors.contains(text))
+      throw Error(ErrorKind::usage, "--mirror: no scene has a material '" + parseMirror(text).material + "'");
   // Only now: where a later scene is bad, stderr holds the one line that says so.
   for (const std::string& warning : warnings) std::cerr << "warning: " << warning << '\n';
   return scenes;

@@ -2,6 +2,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <vector>
 
 #include "core/error.h"
 
@@ -15,6 +16,19 @@ bool parseNumber(std::string_view text, T& value) {
   const char* end = text.data() + text.size();
   const auto result = std::from_chars(text.data(), end, value);
   return result.ec == std::errc() && result.ptr == end;
+}
+
+// Finite numbers between commas; empty where one is not.
+std::vector<double> parseNumbers(std::string_view text) {
+  std::vector<double> numbers;
+  while (true) {
+    const std::size_t comma = text.find(',');
+    double number = 0;
+    if (!parseNumber(text.substr(0, comma), number) || !std::isfinite(number)) return {};
+    numbers.push_back(number);
+    if (comma == text.npos) return numbers;
+    text.remove_prefix(comma + 1);
+  }
 }
 
 [[noreturn]] void reject(std::string_view option, std::string_view text, const std::string& expected) {
@@ -34,15 +48,9 @@ Size parseSize(std::string_view text) {
 }
 
 glm::dvec3 parseVector(std::string_view option, std::string_view text) {
-  glm::dvec3 vector(0);
-  std::string_view rest = text;
-  for (int i = 0; i < 3; ++i) {
-    const std::size_t comma = i < 2 ? rest.find(',') : rest.size();
-    if (comma == rest.npos || !parseNumber(rest.substr(0, comma), vector[i]) || !std::isfinite(vector[i]))
-      reject(option, text, "three finite numbers X,Y,Z");
-    rest.remove_prefix(i < 2 ? comma + 1 : comma);
-  }
-  return vector;
+  const std::vector<double> numbers = parseNumbers(text);
+  if (numbers.size() != 3) reject(option, text, "three finite numbers X,Y,Z");
+  return {numbers[0], numbers[1], numbers[2]};
 }
 
 MirrorArgument parseMirror(std::string_view text) {
@@ -54,6 +62,19 @@ MirrorArgument parseMirror(std::string_view text) {
     reject("--mirror", text, "MATERIAL=REFLECTIVITY with a reflectivity from 0 to 1");
   mirror.material = text.substr(0, equals);
   return mirror;
+}
+
+ViewArgument parseView(std::string_view text) {
+  const std::size_t equals = text.rfind('=');
+  const std::vector<double> numbers = parseNumbers(equals == text.npos ? "" : text.substr(equals + 1));
+  if (equals == 0 || numbers.size() < 6 || numbers.size() > 7)
+    reject("--view", text, "SCENE=EX,EY,EZ,TX,TY,TZ or SCENE=EX,EY,EZ,TX,TY,TZ,FOV with finite numbers");
+  ViewArgument view{std::string(text.substr(0, equals)),
+                    {numbers[0], numbers[1], numbers[2]},
+                    {numbers[3], numbers[4], numbers[5]},
+                    {}};
+  if (numbers.size() == 7) view.fov = numbers[6];
+  return view;
 }
 
 SettingArgument parseSetting(std::string_view text) {

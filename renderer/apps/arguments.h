@@ -1,6 +1,7 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -22,6 +23,14 @@ struct MirrorArgument {
 };
 
 MirrorArgument parseMirror(std::string_view text);  // "floor=0.9"
+
+struct ViewArgument {
+  std::string scene;
+  glm::dvec3 eye{0}, target{0};  // world coordinates
+  std::optional<double> fov;     // vertical, degrees
+};
+
+ViewArgument parseView(std::string_view text);  // "sponza.glb=13,1.2,0.4,-5,2.6,-0.2,60"; the last may be missing
 
 struct SettingArgument {
   std::string name, value;

@@ -18,8 +18,8 @@ TEST(BenchCoverage, MeasuresOnceAndReports) {
   ASSERT_EQ(result.exitCode, 0) << result.err;
   EXPECT_NE(result.out.find("scattered"), std::string::npos);
   const std::vector<std::string> files = filesIn(folder);
-  for (const char* name :
-       {"DIR/coverage.csv", "DIR/coverage_fits.csv", "DIR/coverage.json", "DIR/index.html", "DIR/builtin-sphere.png"})
+  for (const char* name : {"DIR/coverage.csv", "DIR/coverage_fits.csv", "DIR/coverage.json", "DIR/index.html",
+                           "DIR/builtin-sphere-all-traced.png"})
     EXPECT_TRUE(std::binary_search(files.begin(), files.end(), name)) << name;
 
   const std::string text = readText(folder / "DIR/coverage.json");
@@ -135,7 +135,7 @@ TEST(CoverageReport, JumpsAreExplained) {
       point["device"] = {{"renderer", "r"}, {"version", "v"}, {"context", "c"}};
       point["size"] = {1, 1};
     }
-    return bench::coveragePage(bench::coverageCurves(points), {}, std::nullopt);
+    return bench::coverageBody(bench::coverageCurves(points), {}, std::nullopt);
   };
   const std::string region = pageOf(9, 0), both = pageOf(9, 9), none = pageOf(0, 0);
   EXPECT_NE(region.find("34.4 % and 37.5 %</td>"), region.npos);

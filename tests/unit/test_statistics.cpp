@@ -96,6 +96,18 @@ TEST(Arguments, Vectors) {
     EXPECT_THROW(parseVector("--eye", text), Error) << text;
 }
 
+TEST(Arguments, Views) {
+  const ViewArgument view = parseView("a=b.glb=-1,2.5,3e2,0,0,1");
+  EXPECT_EQ(view.scene, "a=b.glb");
+  EXPECT_EQ(view.eye, glm::dvec3(-1, 2.5, 300));
+  EXPECT_EQ(view.target, glm::dvec3(0, 0, 1));
+  EXPECT_FALSE(view.fov);
+  EXPECT_EQ(parseView("s=0,0,0,0,0,1,60").fov, 60);
+  for (const char* text : {"", "s", "s=", "=0,0,0,0,0,1", "0,0,0,0,0,1", "s=0,0,0,0,0", "s=0,0,0,0,0,1,60,1",
+                           "s=0,0,0,0,0,x", "s=0,0,0,0,0,1,", "s=0,0,0,0,0,inf"})
+    EXPECT_THROW(parseView(text), Error) << text;
+}
+
 TEST(Arguments, MirrorsAndSettings) {
   EXPECT_EQ(parseMirror("a=b=0.5").material, "a=b");
   EXPECT_FLOAT_EQ(parseMirror("*=1").reflectivity, 1.0f);
