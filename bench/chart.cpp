@@ -40,7 +40,7 @@ std::string terminal(ChartFormat format, double width, double height) {
 double sum(const std::vector<double>& parts) { return std::accumulate(parts.begin(), parts.end(), 0.0); }
 
 struct Range {
-  double low = 0.1, high = 1;  // powers of ten around all tops
+  double low = 0.1, high = 1;
 };
 
 Range axisRange(const StackedBars& chart) {
@@ -61,6 +61,25 @@ double limit(const Panel& panel, double Sample::*value) {
   for (const Curve& curve : panel.curves)
     for (const Sample& sample : curve.samples) most = std::max(most, sample.*value);
   return most > 0 ? 1.04 * most : 1;
+}
+
+// The values above 0 with some room on both sides.
+Range logarithmicRange(const Panel& panel, double Sample::*value) {
+  constexpr double kRoom = 1.4;
+  Range range{1e30, 0};
+  for (const Curve& curve : panel.curves)
+    for (const Sample& sample : curve.samples)
+      if (sample.*value > 0)
+        range = {std::min(range.low, sample.*value / kRoom), std::max(range.high, kRoom * sample.*value)};
+  return range.high > 0 ? range : Range{};
+}
+
+std::string ticksOf(const Panel& panel) {
+  if (panel.ticks.empty()) return "autofreq";
+  std::string list;
+  for (const Tick& tick : panel.ticks)
+    list += (list.empty() ? "(" : ", ") + quoted(tick.label) + ' ' + std::to_string(tick.at);
+  return list + ')';
 }
 
 // Centre of each bar.
@@ -140,9 +159,15 @@ std::string gnuplotScript(const PanelGrid& grid, ChartFormat format) {
   for (std::size_t index = 0; index < grid.panels.size(); ++index) {
     const Panel& panel = grid.panels[index];
     script << "set title " << quoted(panel.title) << "\nset xlabel " << quoted(panel.xAxis) << "\nset ylabel "
-           << quoted(panel.yAxis) << '\n'
-           << "set xrange [0:" << limit(panel, &Sample::x) << "]\nset yrange [0:" << limit(panel, &Sample::high)
-           << "]\n";
+           << quoted(panel.yAxis) << "\nset xtics " << ticksOf(panel) << '\n';
+    if (panel.logarithmic) {
+      const Range x = logarithmicRange(panel, &Sample::x), y = logarithmicRange(panel, &Sample::y);
+      script << "set logscale xy 10\nset format y \"%g\"\nset xrange [" << x.low << ':' << x.high << "]\nset yrange ["
+             << y.low << ':' << y.high << "]\n";
+    } else {
+      script << "unset logscale\nset format y\nset xrange [0:" << limit(panel, &Sample::x)
+             << "]\nset yrange [0:" << limit(panel, &Sample::high) << "]\n";
+    }
     // Columns: x, y, low, high.
     std::string plots;
     for (std::size_t i = 0; i < panel.curves.size(); ++i) {

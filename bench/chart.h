@@ -33,12 +33,19 @@ struct Curve {
   bool measured = true;   // marks with error bars along a line; otherwise a dashed line
 };
 
+struct Tick {
+  double at = 0;
+  std::string label;
+};
+
 struct Panel {
   std::string title, xAxis, yAxis;
   std::vector<Curve> curves;
+  bool logarithmic = false;      // both axes, around the samples above 0; otherwise they begin at 0
+  std::vector<Tick> ticks = {};  // of the x axis; gnuplot's own where there are none
 };
 
-// Charts of curves side by side, row by row; axes begin at 0.
+// Charts of curves side by side, row by row.
 struct PanelGrid {
   std::size_t columns = 1;
   std::vector<Panel> panels;

@@ -42,6 +42,25 @@ std::optional<Jump> jumpAt(std::span<const XY> points, const LinearFit& fit, std
   return Jump{first, excess, excess / step};
 }
 
+double PowerLaw::at(double x) const { return factor * std::pow(x, exponent); }
+
+std::optional<PowerLaw> fitPowerLaw(std::span<const XY> points) {
+  constexpr std::size_t kLeast = 3;
+  constexpr double kMostOff = 1.25;
+  std::vector<XY> logarithms;
+  for (const XY& point : points) logarithms.push_back({std::log(point.x), std::log(point.y)});
+  for (std::size_t first = 0; first + kLeast <= points.size(); ++first) {
+    const std::span<const XY> run = std::span(logarithms).subspan(first);
+    const std::optional<LinearFit> line = fitLine(run);
+    if (!line) return std::nullopt;
+    const bool fits = std::all_of(run.begin(), run.end(), [&](const XY& point) {
+      return std::abs(point.y - line->at(point.x)) <= std::log(kMostOff);
+    });
+    if (fits) return PowerLaw{line->slope, std::exp(line->intercept), line->rSquared, first};
+  }
+  return std::nullopt;
+}
+
 std::optional<Jump> largestJump(std::span<const XY> points, const LinearFit& fit) {
   std::optional<Jump> largest;
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {

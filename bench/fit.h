@@ -22,6 +22,19 @@ struct LinearFit {
 // Least squares. Nothing where there are no two different x.
 std::optional<LinearFit> fitLine(std::span<const XY> points);
 
+// y = factor x^exponent
+struct PowerLaw {
+  double exponent = 0, factor = 1;
+  std::optional<double> rSquared;  // of the line through the logarithms, see LinearFit
+  std::size_t first = 0;           // the law holds from this point to the last
+
+  double at(double x) const;
+};
+
+// The law of the largest x: of the longest run of points up to the last, at least three, in which none is off by more
+// than a quarter. Nothing where there is no such run. Points are in order of x; all numbers are positive.
+std::optional<PowerLaw> fitPowerLaw(std::span<const XY> points);
+
 // A rise from a point to its neighbour, beside what the line foretells for them.
 struct Jump {
   std::size_t first = 0;   // the point before it

@@ -4,12 +4,13 @@
 #include "bench/coverage.h"
 #include "bench/memory.h"
 #include "bench/mode.h"
+#include "bench/scaling.h"
 #include "bench/stability.h"
 
 int main(int argc, char** argv) {
   using namespace halfsilver::bench;
   CLI::App program("Measures Halfsilver's methods against each other.", "halfsilver-bench");
   // In the order of the page that `all` makes.
-  addModes(program, {memoryMode(), coverageMode(), stabilityMode()});
+  addModes(program, {memoryMode(), coverageMode(), stabilityMode(), scalingMode()});
   return halfsilver::runCommand(program, argc, argv);
 }

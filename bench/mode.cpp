@@ -34,6 +34,12 @@ void addCommand(CLI::App& program, const std::string& name, const std::string& d
   if (any(&Mode::takesMethods))
     command->add_option("--method", request.methods, "A method of stability to measure, repeatable (default: all)")
         ->allow_extra_args(false);
+  if (any(&Mode::takesTimeLimit))
+    command
+        ->add_option("--time-limit", request.timeLimit,
+                     "Seconds a point of scaling; after one that took longer, larger ones are not tried")
+        ->check(CLI::PositiveNumber)
+        ->capture_default_str();
   command->callback([shared] {
     checkRequest(shared->request, shared->texts);
     runModes(shared->request, shared->modes);

@@ -34,6 +34,7 @@ struct Mode {
   std::string description;       // one line
   bool takesPresets = false;     // --preset, see Request::presets
   bool takesMethods = false;     // --method, see Request::methods
+  bool takesTimeLimit = false;   // --time-limit, see Request::timeLimit
   bool bringsOwnScenes = false;  // where the command names none; always in `all`
   // Throws Error: a bad request must not show after an hour's work. Error (failed) leaves the mode out of `all`.
   std::function<Plan(const Session&)> plan;

@@ -23,6 +23,7 @@ struct Request {
   std::vector<ViewArgument> views;   // scenes by sceneName()
   std::vector<std::string> presets;  // none: the mode's own
   std::vector<std::string> methods;  // of stability; none: all
+  double timeLimit = 20;             // of scaling; seconds, above 0
 };
 
 // Those of the request, or these.

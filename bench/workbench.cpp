@@ -75,6 +75,7 @@ Settings presetSettings(const std::string& preset, bool quick, std::size_t trian
 
 Workbench::Workbench(const Request& request)
     : size_(request.size),
+      targetSize_(request.size),
       context_(makeContext(contextKind(request.context))),
       api_(gl::Api::load(context_.getProcAddress())),
       log_(api_),
@@ -98,19 +99,34 @@ RunStatistics Workbench::describe(const BenchScene& scene, const Settings& setti
   return run;
 }
 
-void Workbench::draw(const BenchScene& scene, RunStatistics& run) {
+void Workbench::draw(const BenchScene& scene, RunStatistics& run, int frames) {
+  if (targetSize_.width != run.width || targetSize_.height != run.height) {
+    const Size size{run.width, run.height};
+    target_ = OffscreenTarget(api_, size);
+    targetSize_ = size;
+  }
   if (scene_ != &scene) {
-    renderer_.reset();  // its memory goes before the new one's comes
+    forget();  // its memory goes before the new one's comes
     renderer_.emplace(context_.getProcAddress(), exactFactory(scene.model.scene, 0));
     renderer_->setScene(scene.model.scene);
     scene_ = &scene;
   }
   run.warmUpFrames = drawFirstFrame(*renderer_, scene.camera, run.settings, target_.target(), run.report);
-  // A pool that was sized by a first guess gets the size that the frame before asked for.
-  drawNext(scene, run);
   StageTimes times;
-  times.add(run.report.times);
+  for (int frame = 0; frame < frames; ++frame) {
+    // A pool that was sized by a first guess gets the size that the frame before asked for.
+    drawNext(scene, run);
+    times.add(run.report.times);
+  }
   run.stages = times.summarize();
+}
+
+void Workbench::forget() {
+  renderer_.reset();
+  scene_ = nullptr;
+  log_.take();
+  while (api_.GetError() != GL_NO_ERROR) {
+  }
 }
 
 void Workbench::drawNext(const BenchScene& scene, RunStatistics& run) {
@@ -126,18 +142,18 @@ void Workbench::moveVertices(const BenchScene& scene, std::span<const VertexRang
 
 std::vector<std::byte> Workbench::thumbnail() const {
   const std::vector<std::uint8_t> pixels = target_.read();
-  const int step = (std::max(size_.width, size_.height) + kThumbnail - 1) / kThumbnail;
-  const int width = std::max(1, size_.width / step), height = std::max(1, size_.height / step);
+  const int step = (std::max(targetSize_.width, targetSize_.height) + kThumbnail - 1) / kThumbnail;
+  const int width = std::max(1, targetSize_.width / step), height = std::max(1, targetSize_.height / step);
   std::vector<std::uint8_t> small;
   small.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4);
   const auto average = [&](int left, int top, int channel) {
     int sum = 0, count = 0;
-    for (int y = top; y < std::min(top + step, size_.height); ++y)
-      for (int x = left; x < std::min(left + step, size_.width); ++x, ++count)
-        sum +=
-            pixels[(static_cast<std::size_t>(y) * static_cast<std::size_t>(size_.width) + static_cast<std::size_t>(x)) *
-                       4 +
-                   static_cast<std::size_t>(channel)];
+    for (int y = top; y < std::min(top + step, targetSize_.height); ++y)
+      for (int x = left; x < std::min(left + step, targetSize_.width); ++x, ++count)
+        sum += pixels[(static_cast<std::size_t>(y) * static_cast<std::size_t>(targetSize_.width) +
+                       static_cast<std::size_t>(x)) *
+                          4 +
+                      static_cast<std::size_t>(channel)];
     return static_cast<std::uint8_t>(sum / count);
   };
   for (int y = 0; y < height; ++y)

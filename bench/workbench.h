@@ -42,9 +42,11 @@ class Workbench {
   // What identifies the device, the scene, the size and the settings of a run; nothing is drawn.
   RunStatistics describe(const BenchScene& scene, const Settings& settings) const;
 
-  // Draws one whole frame after one or more to warm up; `run` gets its times and report. The scene must live until the
-  // next one. Throws Error (failed) where GL complains.
-  void draw(const BenchScene& scene, RunStatistics& run);
+  // Draws whole frames after one or more to warm up, of the size that `run` tells; it gets their times and the report
+  // of the last. The scene must live until the next one, or forget(). Throws Error (failed) where GL complains.
+  void draw(const BenchScene& scene, RunStatistics& run, int frames = 1);
+  // Gives up the scene that was drawn last and all its memory, also after an error.
+  void forget();
 
   // Draws one more frame of the scene that was drawn last, with whatever room its structures have.
   void drawNext(const BenchScene& scene, RunStatistics& run);
@@ -59,7 +61,7 @@ class Workbench {
  private:
   void failOnErrors();
 
-  Size size_;
+  Size size_, targetSize_;
   Context context_;
   gl::Api api_;
   gl::DebugLog log_;

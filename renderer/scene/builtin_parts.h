@@ -7,7 +7,7 @@
 #include "scene/model.h"
 #include "scene/procedural_textures.h"
 
-// What the built-in scenes share; private to them.
+// What scenes that are made in code share: the built-in ones, and those of benchmarks.
 namespace halfsilver {
 
 Model makeSphereScene();
