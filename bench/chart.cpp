@@ -71,7 +71,22 @@ Range logarithmicRange(const Panel& panel, double Sample::*value) {
     for (const Sample& sample : curve.samples)
       if (sample.*value > 0)
         range = {std::min(range.low, sample.*value / kRoom), std::max(range.high, kRoom * sample.*value)};
-  return range.high > 0 ? range : Range{};
+  if (!(range.high > 0)) return {};
+  // At least a decade, so that what hardly differs does not look as if it did.
+  const double missing = std::sqrt(std::max(1.0, 10 * range.low / range.high));
+  return {range.low / missing, range.high * missing};
+}
+
+// 1, 2, 5, 10, ... over few decades, otherwise 1, 10, 100, ...
+std::string decadeTics(const Range& range) {
+  const bool few = range.high < 200 * range.low;
+  std::ostringstream list;
+  for (double decade = std::pow(10.0, std::floor(std::log10(range.low))); decade <= range.high; decade *= 10)
+    for (const double step : {1.0, 2.0, 5.0})
+      if ((few || step == 1.0) && step * decade >= range.low && step * decade <= range.high)
+        list << (list.tellp() > 0 ? "," : "(") << step * decade;
+  list << ')';
+  return list.str();
 }
 
 std::string ticksOf(const Panel& panel) {
@@ -162,10 +177,10 @@ std::string gnuplotScript(const PanelGrid& grid, ChartFormat format) {
            << quoted(panel.yAxis) << "\nset xtics " << ticksOf(panel) << '\n';
     if (panel.logarithmic) {
       const Range x = logarithmicRange(panel, &Sample::x), y = logarithmicRange(panel, &Sample::y);
-      script << "set logscale xy 10\nset format y \"%g\"\nset xrange [" << x.low << ':' << x.high << "]\nset yrange ["
-             << y.low << ':' << y.high << "]\n";
+      script << "set logscale xy 10\nset ytics " << decadeTics(y) << "\nset format y \"%g\"\nset xrange [" << x.low
+             << ':' << x.high << "]\nset yrange [" << y.low << ':' << y.high << "]\n";
     } else {
-      script << "unset logscale\nset format y\nset xrange [0:" << limit(panel, &Sample::x)
+      script << "unset logscale\nset ytics autofreq\nset format y\nset xrange [0:" << limit(panel, &Sample::x)
              << "]\nset yrange [0:" << limit(panel, &Sample::high) << "]\n";
     }
     // Columns: x, y, low, high.

@@ -17,6 +17,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kTriangles = 31623, kQuickTriangles = 10000;  // where something else grows
+constexpr int kTexels = 256;                                        // along an axis
 constexpr int kFrames = 3;                                          // of a point that takes less than this
 constexpr double kShort = 1;                                        // seconds
 
@@ -62,10 +63,12 @@ std::vector<Case> cases(const Request& request) {
   return all;
 }
 
-// The same structure at every size: the papers' numbers for small scenes.
+// The same structure at every size: the papers' voxels for small scenes, and texels so few that what a frame takes
+// anyway does not hide what grows.
 Settings settingsOf(const std::string& preset, bool quick, const Case& point) {
   Settings settings = presetSettings(preset, quick, 0);
   if (settings.trace.method == Method::none) throw Error(ErrorKind::usage, "the preset " + preset + " traces nothing");
+  if (settings.trace.method == Method::attributes) settings.abuffer.resolution = kTexels;
   settings.select.mode = point.fraction ? SelectMode::all : SelectMode::reflective;
   settings.select.fraction = point.fraction.value_or(1.0f);
   settings.trace.bounces = point.bounces;

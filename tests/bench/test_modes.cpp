@@ -91,10 +91,10 @@ TEST(BenchTasks, ASeriesEndsAndOthersGoOn) {
 // Every part is on the one page; what is kept is not measured again.
 TEST(BenchAll, OnePageOfAllModes) {
   const TemporaryFolder folder;
-  const std::string command = "all builtin:rods -o DIR --quick --size 48x32 --method halfsilver";
+  const std::string command = "all builtin:rods -o DIR --quick --size 48x32 --method halfsilver --time-limit 1";
   ProgramResult result = runProgramIn(folder, command);
   ASSERT_EQ(result.exitCode, 0) << result.err;
-  const std::vector<std::string> modes = {"memory", "coverage", "stability"};
+  const std::vector<std::string> modes = {"memory", "coverage", "stability", "scaling"};
   const std::string page = readText(folder / "DIR/index.html");
   std::vector<std::string> records;
   std::size_t last = 0;
