@@ -91,7 +91,7 @@ TEST(BenchTasks, ASeriesEndsAndOthersGoOn) {
 // Every part is on the one page; what is kept is not measured again.
 TEST(BenchAll, OnePageOfAllModes) {
   const TemporaryFolder folder;
-  const std::string command = "all builtin:rods -o DIR --quick --size 48x32 --method halfsilver --time-limit 1";
+  const std::string command = "all builtin:rods -o DIR --quick --size 48x32 --method halfsilver --preset halfsilver --time-limit 0.01";
   ProgramResult result = runProgramIn(folder, command);
   ASSERT_EQ(result.exitCode, 0) << result.err;
   const std::vector<std::string> modes = {"memory", "coverage", "stability", "scaling"};
