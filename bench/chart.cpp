@@ -12,30 +12,13 @@
 #include <numeric>
 #include <sstream>
 
+#include "bench/gnuplot.h"
 #include "core/error.h"
 
 namespace halfsilver::bench {
 namespace {
 
-// Blue, orange, green, grey, purple: distinct also where colours are seen as few (after Okabe & Ito).
-constexpr const char* kColors[] = {"#0072b2", "#e69f00", "#009e73", "#b8b8b8", "#cc79a7", "#56b4e9"};
 constexpr double kGroupGap = 0.8;  // bars
-
-std::string quoted(const std::string& text) {
-  std::string result = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') result += '\\';
-    if (static_cast<unsigned char>(c) >= ' ') result += c;
-  }
-  return result + '"';
-}
-
-std::string terminal(ChartFormat format, double width, double height) {
-  std::ostringstream text;
-  text << "set terminal " << (format == ChartFormat::svg ? "svg" : "pngcairo") << " noenhanced size " << width << ','
-       << height << " background rgb \"white\" font \"sans,12\"\n";
-  return text.str();
-}
 
 double sum(const std::vector<double>& parts) { return std::accumulate(parts.begin(), parts.end(), 0.0); }
 

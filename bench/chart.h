@@ -51,11 +51,34 @@ struct PanelGrid {
   std::vector<Panel> panels;
 };
 
+struct Mark {
+  double x = 0, y = 0;
+  double radius = 1;  // of a mark of medium size
+  std::size_t color = 0;
+  bool hollow = false;
+  bool ringed = false;
+  std::string label;  // beside it; left out where there is no room for it
+};
+
+struct ScatterPanel {
+  std::string title, xAxis, yAxis;
+  std::vector<Mark> marks;
+  std::vector<Sample> front;  // in the order of x: a line in steps
+};
+
+// Marks over two logarithmic axes. A y of exactly 0 has a row of its own below the axis.
+struct ScatterGrid {
+  std::size_t columns = 1;
+  std::vector<std::vector<Mark>> legend;  // rows of marks, each with its label; places are not used
+  std::vector<ScatterPanel> panels;
+};
+
 enum class ChartFormat { svg, png };
 
 // Writes the picture to gnuplot's standard output.
 std::string gnuplotScript(const StackedBars& chart, ChartFormat format);
 std::string gnuplotScript(const PanelGrid& grid, ChartFormat format);
+std::string gnuplotScript(const ScatterGrid& grid, ChartFormat format);
 
 // What gnuplot writes for a script; nothing where gnuplot is not installed. Throws Error (failed) where it fails.
 std::optional<std::string> runGnuplot(const std::string& script);

@@ -1,7 +1,6 @@
 #include "bench/memory.h"
 
 #include <algorithm>
-#include <map>
 #include <memory>
 #include <utility>
 
@@ -10,6 +9,7 @@
 #include "bench/points.h"
 #include "bench/report.h"
 #include "bench/tasks.h"
+#include "bench/truth.h"
 #include "bench/workbench.h"
 #include "io/compare.h"
 #include "io/settings_file.h"
@@ -18,8 +18,6 @@ namespace halfsilver::bench {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr const char* kReference = "reference";
 
 struct Variant {
   std::string name;
@@ -50,29 +48,9 @@ std::vector<Variant> variants(bool quick, std::size_t triangles, bool exact) {
   return all;
 }
 
-// The layers of the reference for a scene, by the pixels that are selected.
-class Truth {
- public:
-  const Image& layers(Workbench& bench, const BenchScene& scene, SelectMode mode) {
-    if (scene_ != &scene) layers_.clear();
-    scene_ = &scene;
-    if (const auto known = layers_.find(mode); known != layers_.end()) return known->second;
-    Settings settings;
-    applyPreset(settings, kReference);
-    settings.select.mode = mode;
-    RunStatistics run = bench.describe(scene, settings);
-    bench.draw(scene, run);
-    return layers_[mode] = bench.layers();
-  }
-
- private:
-  const BenchScene* scene_ = nullptr;
-  std::map<SelectMode, Image> layers_;
-};
-
 class Measurement {
  public:
-  Measurement(const OutputFolder& folder, Workbench& bench) : folder_(&folder), bench_(&bench) {}
+  Measurement(const OutputFolder& folder, Workbench& bench) : folder_(&folder), bench_(&bench), truth_(bench) {}
 
   // Adds the measured members to the point.
   void measure(const BenchScene& scene, const Variant& variant, Json& point) {
@@ -84,7 +62,7 @@ class Measurement {
     if (variant.name == kDefaultPreset) keepPicture(*folder_, scene.name, *bench_);
     if (exactFactory(scene.model.scene, 0)) {
       const Image layers = bench_->layers();
-      const Image& truth = truth_.layers(*bench_, scene, variant.settings.select.mode);
+      const Image& truth = truth_.of(scene, variant.settings.select.mode).layers;
       point["error"] = toJson(compareImages({layers, true, scene.diagonal}, {truth, true, scene.diagonal}));
     }
   }

@@ -11,6 +11,7 @@
 namespace halfsilver::bench {
 
 constexpr const char* kDefaultPreset = "halfsilver";
+constexpr const char* kReference = "reference";
 
 struct Request {
   std::vector<std::string> scenes;  // as `halfsilver render` names them

@@ -190,12 +190,12 @@ class Measurement {
     if (truthScene_ == &scene) return truth_;
     truth_.clear();
     Settings settings;
-    applyPreset(settings, "reference");
+    applyPreset(settings, kReference);
     settings.trace.bounces = subject.bounces;
     RunStatistics run = bench_->describe(scene, settings);
     animate(scene, subject, run, [&](int frame) {
       truth_.push_back(bench_->layers());
-      if (frame == 0) keepPicture(*folder_, pictureName(scene.name, "reference"), *bench_);
+      if (frame == 0) keepPicture(*folder_, pictureName(scene.name, kReference), *bench_);
     });
     truthScene_ = &scene;
     return truth_;
@@ -211,7 +211,7 @@ class Measurement {
 std::map<std::string, std::string> readPictures(const OutputFolder& folder, const PointList& points) {
   std::map<std::string, std::string> pictures;
   for (const Json& point : points)
-    for (const std::string& method : {presetOf(point), std::string("reference")}) {
+    for (const std::string& method : {presetOf(point), std::string(kReference)}) {
       const std::string name = pictureName(sceneOf(point), method);
       pictures[name] = readBytes(folder / pictureFile(name));
     }

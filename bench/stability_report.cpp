@@ -129,7 +129,7 @@ std::string stabilityBody(const PointList& points, const std::map<std::string, s
       const auto picture = pictures.find(pictureName(scene, method));
       if (picture != pictures.end()) body += thumbnail(picture->second, caption);
     };
-    show("reference", "reference");
+    show(kReference, kReference);
     for (const Json& point : points)
       if (sceneOf(point) == scene) {
         std::string caption = presetOf(point);

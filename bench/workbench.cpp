@@ -140,6 +140,15 @@ void Workbench::moveVertices(const BenchScene& scene, std::span<const VertexRang
   renderer_->updateVertices(scene.model.scene, ranges);
 }
 
+Image Workbench::picture() const {
+  const std::vector<std::uint8_t> pixels = target_.read();
+  Image image{size_.width, size_.height, {"R", "G", "B"}, {}};
+  image.data.reserve(image.pixelCount() * 3);
+  for (std::size_t i = 0; i < pixels.size(); ++i)
+    if (i % 4 != 3) image.data.push_back(static_cast<float>(pixels[i]) / 255.0f);
+  return image;
+}
+
 std::vector<std::byte> Workbench::thumbnail() const {
   const std::vector<std::uint8_t> pixels = target_.read();
   const int step = (std::max(targetSize_.width, targetSize_.height) + kThumbnail - 1) / kThumbnail;

@@ -55,6 +55,8 @@ class Workbench {
 
   // Of the last frame.
   Image layers() const { return renderer_->readLayers(); }
+  // Channels R, G and B as they are displayed, 0..1; rows from the top.
+  Image picture() const;
   // PNG of at most 480 pixels along an edge.
   std::vector<std::byte> thumbnail() const;
 

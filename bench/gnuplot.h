@@ -1,0 +1,18 @@
+#pragma once
+
+#include <iterator>
+#include <string>
+
+#include "bench/chart.h"
+
+// Pieces of scripts that all charts share.
+namespace halfsilver::bench {
+
+// Blue, orange, green, grey, purple: distinct also where colours are seen as few (after Okabe & Ito).
+constexpr const char* kColors[] = {"#0072b2", "#e69f00", "#009e73", "#b8b8b8", "#cc79a7", "#56b4e9"};
+
+std::string quoted(const std::string& text);
+// Size in pixels.
+std::string terminal(ChartFormat format, double width, double height);
+
+}  // namespace halfsilver::bench
