@@ -4,6 +4,7 @@
 #include "bench/coverage.h"
 #include "bench/memory.h"
 #include "bench/mode.h"
+#include "bench/pareto.h"
 #include "bench/scaling.h"
 #include "bench/stability.h"
 
@@ -11,6 +12,6 @@ int main(int argc, char** argv) {
   using namespace halfsilver::bench;
   CLI::App program("Measures Halfsilver's methods against each other.", "halfsilver-bench");
   // In the order of the page that `all` makes.
-  addModes(program, {memoryMode(), coverageMode(), stabilityMode(), scalingMode()});
+  addModes(program, {memoryMode(), coverageMode(), paretoMode(), stabilityMode(), scalingMode()});
   return halfsilver::runCommand(program, argc, argv);
 }

@@ -94,7 +94,7 @@ TEST(BenchAll, OnePageOfAllModes) {
   const std::string command = "all builtin:rods -o DIR --quick --size 48x32 --method halfsilver --preset halfsilver --time-limit 0.01";
   ProgramResult result = runProgramIn(folder, command);
   ASSERT_EQ(result.exitCode, 0) << result.err;
-  const std::vector<std::string> modes = {"memory", "coverage", "stability", "scaling"};
+  const std::vector<std::string> modes = {"memory", "coverage", "pareto", "stability", "scaling"};
   const std::string page = readText(folder / "DIR/index.html");
   std::vector<std::string> records;
   std::size_t last = 0;
