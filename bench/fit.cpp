@@ -46,7 +46,7 @@ double PowerLaw::at(double x) const { return factor * std::pow(x, exponent); }
 
 std::optional<PowerLaw> fitPowerLaw(std::span<const XY> points) {
   constexpr std::size_t kLeast = 3;
-  constexpr double kMostOff = 1.25;
+  constexpr double kMostOff = 1.5;
   std::vector<XY> logarithms;
   for (const XY& point : points) logarithms.push_back({std::log(point.x), std::log(point.y)});
   for (std::size_t first = 0; first + kLeast <= points.size(); ++first) {

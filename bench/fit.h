@@ -32,7 +32,7 @@ struct PowerLaw {
 };
 
 // The law of the largest x: of the longest run of points up to the last, at least three, in which none is off by more
-// than a quarter. Nothing where there is no such run. Points are in order of x; all numbers are positive.
+// than a half. Nothing where there is no such run. Points are in order of x; all numbers are positive.
 std::optional<PowerLaw> fitPowerLaw(std::span<const XY> points);
 
 // A rise from a point to its neighbour, beside what the line foretells for them.

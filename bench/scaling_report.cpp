@@ -133,7 +133,7 @@ constexpr const char* kExponents =
     "An exponent of 1 means: ten times as much of it takes ten times as long; 0: it does not matter. It is the slope "
     "of "
     "a straight line by least squares through the logarithms, through the longest run of points up to the largest in "
-    "which none is off by more than a quarter; \"from\" says where that run begins, if not at the first point, as "
+    "which none is off by more than a half; \"from\" says where that run begins, if not at the first point, as "
     "small "
     "ones are ruled by what every frame takes. None: there are no such three points.";
 

@@ -54,7 +54,7 @@ Model subdividedScene(std::size_t triangles, std::size_t lights) {
   const std::uint32_t mirror = addTwoSided(scene, metal("mirror", glm::vec3(0.92f), 0));
   const std::uint32_t clay = addTwoSided(scene, dielectric("clay", glm::vec3(0.75f, 0.28f, 0.12f), 0.6f));
 
-  constexpr double kWidth = 2, kDepth = 2.2, kHeight = 2.2;
+  constexpr double kWidth = 2, kDepth = 5, kHeight = 3;
   constexpr std::size_t kMirrorTriangles = 6;
   constexpr double kLongByRound = 9;  // columns by rows, for triangles that are neither long nor thin
   const double cells = static_cast<double>(std::max(triangles, kMirrorTriangles + 2) - kMirrorTriangles) / 2;
@@ -69,7 +69,7 @@ Model subdividedScene(std::size_t triangles, std::size_t lights) {
   build.use(clay).surface(columns, rows, glm::dvec2(1), knot);
   setMesh(scene, build.take());
   addLights(scene, lights);
-  scene.cameras.push_back(lookAt("front", {0.4f, 1.7f, 3.6f}, {0, 0.6f, 0}, 45));
+  scene.cameras.push_back(lookAt("between", {-1.6f, 1.1f, 1.9f}, {1.5f, 0.9f, -0.1f}, 50));
   return model;
 }
 
