@@ -91,7 +91,8 @@ TEST(BenchTasks, ASeriesEndsAndOthersGoOn) {
 // Every part is on the one page; what is kept is not measured again.
 TEST(BenchAll, OnePageOfAllModes) {
   const TemporaryFolder folder;
-  const std::string command = "all builtin:rods -o DIR --quick --size 48x32 --method halfsilver --preset halfsilver --time-limit 0.01";
+  const std::string command =
+      "all builtin:rods -o DIR --quick --size 48x32 --method halfsilver --preset halfsilver --time-limit 0.01";
   ProgramResult result = runProgramIn(folder, command);
   ASSERT_EQ(result.exitCode, 0) << result.err;
   const std::vector<std::string> modes = {"memory", "coverage", "pareto", "stability", "scaling"};
