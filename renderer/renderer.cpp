@@ -79,12 +79,12 @@ struct Renderer::Impl {
 };
 
 void Renderer::Impl::useSettings(const Settings& wanted) {
+  if (!settings || shadowKey(*settings) != shadowKey(wanted)) shadowsStale = true;
   if (!settings || tracerKey(*settings) != tracerKey(wanted)) {
     tracer.reset();  // its memory goes before the new one's comes
     settings.reset();
     tracer = makeTracer(api, wanted, exact);
   }
-  if (!settings || shadowKey(*settings) != shadowKey(wanted)) shadowsStale = true;
   settings = wanted;
 }
 
