@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <iterator>
 #include <string>
 
@@ -8,8 +9,10 @@
 // Pieces of scripts that all charts share.
 namespace halfsilver::bench {
 
-// Blue, orange, green, grey, purple: distinct also where colours are seen as few (after Okabe & Ito).
-constexpr const char* kColors[] = {"#0072b2", "#e69f00", "#009e73", "#b8b8b8", "#cc79a7", "#56b4e9"};
+// Blue, orange, green, light grey, purple, light blue: distinct also where colours are seen as few (after Okabe & Ito).
+// The last, a dark grey, is for what belongs to none.
+constexpr const char* kColors[] = {"#0072b2", "#e69f00", "#009e73", "#b8b8b8", "#cc79a7", "#56b4e9", "#555555"};
+constexpr std::size_t kNoFamily = std::size(kColors) - 1;
 
 std::string quoted(const std::string& text);
 // Size in pixels.

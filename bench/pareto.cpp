@@ -210,6 +210,8 @@ int roundsFor(double frameMilliseconds, bool quick) {
 }
 
 CommonRays compareCommonRays(Image image, Image reference, double diagonal) {
+  if (image.channel("selected.Y") < 0 || reference.channel("selected.Y") < 0)
+    throw Error(ErrorKind::badInput, "no layers to compare");
   const auto mine = static_cast<std::size_t>(image.channel("selected.Y"));
   const auto other = static_cast<std::size_t>(reference.channel("selected.Y"));
   const std::size_t stride = image.channels.size(), otherStride = reference.channels.size();

@@ -6,6 +6,7 @@
 
 #include "apps/pareto.h"
 #include "apps/statistics.h"
+#include "bench/gnuplot.h"
 #include "bench/page.h"
 #include "bench/request.h"
 
@@ -103,7 +104,8 @@ std::string verdict(const ParetoScene& scene, Accuracy accuracy) {
   text += accuracyName(accuracy, {&scene, 1});
   text += ": ";
   const std::optional<std::size_t> at = defaultOf(scene);
-  if (!at || !competes(scene.points[*at], accuracy)) return text + "the default was not measured.";
+  if (!at) return text + "the default was not measured.";
+  if (!competes(scene.points[*at], accuracy)) return text + "nothing reflects here.";
   const ParetoPoint& own = scene.points[*at];
   if (const auto other = beatenBy(scene, *at, accuracy)) {
     const ParetoPoint& better = scene.points[*other];
@@ -188,9 +190,8 @@ std::vector<std::string> familiesOf(std::span<const ParetoScene> scenes) {
 
 constexpr const char* kIntroduction =
     "<p>What a frame takes is set here against how right it is: every method and preset over its knobs, and the "
-    "default among them. Nothing that "
-    "is "
-    "drawn is both further left and further down than the <em>front</em>: who sits on it is beaten by no other in time "
+    "default among them. No filled "
+    "mark is both further left and further down than the <em>front</em>: who sits on it is beaten by no other in time "
     "and accuracy at once.</p>\n";
 
 constexpr const char* kCaption =
@@ -362,7 +363,7 @@ ScatterGrid paretoChart(std::span<const ParetoScene> scenes) {
   const std::vector<std::string> families = familiesOf(scenes);
   ScatterGrid grid{kAccuracies.size(), {{}, {}}, {}};
   for (std::size_t i = 0; i < families.size(); ++i) grid.legend[0].push_back({0, 0, 1, i, false, false, families[i]});
-  constexpr std::size_t grey = 3;
+  constexpr std::size_t grey = kNoFamily;
   for (const double size : {1e6, 1e7, 1e8, 1e9})
     grid.legend[1].push_back({0, 0, markRadius(size), grey, false, false, number(size / 1e6, 0) + " MB"});
   grid.legend[1].push_back({0, 0, 1, grey, true, false, "beside the comparison"});

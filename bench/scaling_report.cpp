@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <sstream>
 
 #include "bench/fit.h"
 #include "bench/page.h"
@@ -82,9 +83,15 @@ std::string lawText(const ScalingCurve& curve, const Quantity& quantity) {
   return text;
 }
 
+std::string seconds(double limit) {
+  std::ostringstream text;
+  text << limit;
+  return text.str();
+}
+
 std::string howItStops(const Json& point, double timeLimit) {
   if (const std::optional<std::string> why = fault(point)) return *why;
-  return "took " + number(point["seconds"].get<double>(), 1) + " s, above the limit of " + number(timeLimit, 0) +
+  return "took " + number(point["seconds"].get<double>(), 1) + " s, above the limit of " + seconds(timeLimit) +
          " s: larger ones were not tried";
 }
 
@@ -114,8 +121,8 @@ constexpr const char* kIntroduction =
 
 constexpr const char* kMethod =
     "<ul>\n"
-    "<li>All methods trace the same rays, those of the reflective pixels, also hu2014, which in its paper traces "
-    "all.</li>\n"
+    "<li>All methods trace the same rays: those of the reflective pixels, on the axis coverage those of a share of "
+    "all pixels. So does hu2014, which in its paper traces all.</li>\n"
     "<li>The structure is built anew in every frame, as for a scene that moves. The papers' methods have the "
     "same voxels and 256 x 256 texels at every size, fewer than in the papers, whose 1024 x 1024 would hide what grows "
     "behind what they take anyway; the default has voxels in proportion to the triangles.</li>\n"
@@ -294,7 +301,7 @@ std::string scalingBody(const ScalingSeries& series, const std::vector<ScenePict
           paragraph(
               "A point stops its axis where it ends with an error, loses fragments or rays for lack of room, "
               "warns of something left out, or takes longer than " +
-              number(timeLimit, 0) + " s.");
+              seconds(timeLimit) + " s.");
   body += heading("All laws") + toHtml(exponentsCsv(series)) +
           paragraph(
               "r_squared is the share of the differences between the logarithms that the line explains; from and "

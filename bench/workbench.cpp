@@ -105,12 +105,7 @@ void Workbench::draw(const BenchScene& scene, RunStatistics& run, int frames) {
     target_ = OffscreenTarget(api_, size);
     targetSize_ = size;
   }
-  if (scene_ != &scene) {
-    forget();  // its memory goes before the new one's comes
-    renderer_.emplace(context_.getProcAddress(), exactFactory(scene.model.scene, 0));
-    renderer_->setScene(scene.model.scene);
-    scene_ = &scene;
-  }
+  load(scene);
   run.warmUpFrames = drawFirstFrame(*renderer_, scene.camera, run.settings, target_.target(), run.report);
   StageTimes times;
   for (int frame = 0; frame < frames; ++frame) {
@@ -119,6 +114,16 @@ void Workbench::draw(const BenchScene& scene, RunStatistics& run, int frames) {
     times.add(run.report.times);
   }
   run.stages = times.summarize();
+  for (const StageSummary& stage : run.stages)
+    if (stage.stage == "frame" && stage.runs == 0) throw Error(ErrorKind::failed, "the device's timer gave no answer");
+}
+
+void Workbench::load(const BenchScene& scene) {
+  if (scene_ == &scene) return;
+  forget();  // its memory goes before the new one's comes
+  renderer_.emplace(context_.getProcAddress(), exactFactory(scene.model.scene, 0));
+  renderer_->setScene(scene.model.scene);
+  scene_ = &scene;
 }
 
 void Workbench::forget() {
@@ -142,7 +147,7 @@ void Workbench::moveVertices(const BenchScene& scene, std::span<const VertexRang
 
 Image Workbench::picture() const {
   const std::vector<std::uint8_t> pixels = target_.read();
-  Image image{size_.width, size_.height, {"R", "G", "B"}, {}};
+  Image image{targetSize_.width, targetSize_.height, {"R", "G", "B"}, {}};
   image.data.reserve(image.pixelCount() * 3);
   for (std::size_t i = 0; i < pixels.size(); ++i)
     if (i % 4 != 3) image.data.push_back(static_cast<float>(pixels[i]) / 255.0f);

@@ -45,6 +45,8 @@ class Workbench {
   // Draws whole frames after one or more to warm up, of the size that `run` tells; it gets their times and the report
   // of the last. The scene must live until the next one, or forget(). Throws Error (failed) where GL complains.
   void draw(const BenchScene& scene, RunStatistics& run, int frames = 1);
+  // Puts a scene on the device, in place of the one before, where it is not there yet; draw() does so, too.
+  void load(const BenchScene& scene);
   // Gives up the scene that was drawn last and all its memory, also after an error.
   void forget();
 

@@ -29,11 +29,16 @@ double timeOf(const FrameReport& report, std::string_view stage) {
   return sum;
 }
 
+// At a place between 0 and the number of classes.
+double contributionAt(double place) {
+  return std::min(1.0, std::exp2(place / kClassesPerOctave - CONTRIBUTION_OCTAVES));
+}
+
+// Class 0 holds what adds nothing at all.
 double countAbove(std::span<const std::uint32_t> contributions, float least) {
   double count = 0;
-  for (std::size_t i = 0; i < contributions.size(); ++i)
-    if (std::exp2((static_cast<double>(i) + 1) / kClassesPerOctave - CONTRIBUTION_OCTAVES) > static_cast<double>(least))
-      count += contributions[i];
+  for (std::size_t i = 1; i < contributions.size(); ++i)
+    if (contributionAt(static_cast<double>(i) + 1) > static_cast<double>(least)) count += contributions[i];
   return count;
 }
 
@@ -50,26 +55,45 @@ Budget::Budget(const BudgetLimits& limits)
     : limits_(limits), minContribution_(limits.leastContribution), patience_(kLeastPatience), tooMany_(kUnknown) {}
 
 void Budget::learn(const FrameReport& report) {
+  // An answer of the timer that was rejected teaches nothing.
+  for (const StageTime& time : report.times)
+    if (time.milliseconds < 0) return;
   const Frame frame{static_cast<double>(report.selected), timeOf(report, "frame"),
                     timeOf(report, "voxelize") + timeOf(report, "build"), timeOf(report, "trace"),
                     static_cast<double>(report.memory.structureTotal)};
-  noteView(countAbove(report.contributions, limits_.leastContribution));
+  const double available = countAbove(report.contributions, limits_.leastContribution);
+  noteView(available);
+  const float lowest = lowestThreshold(report);
+  dropped_ = minContribution_ > limits_.leastContribution
+                 ? static_cast<std::uint64_t>(std::max(0.0, available - frame.rays))
+                 : 0;
   held_ = frame.time <= limits_.milliseconds && frame.bytes <= limits_.bytes;
   forget_ = false;
   double rays = std::min(raysInTime(frame), raysInMemory(frame));
-  if (held_) rays = raysWithRoom(frame);
+  if (held_)
+    rays = raysWithRoom(frame, minContribution_ > lowest);
+  else
+    calm_ = 0;
   fresh_ = forget_;
 
-  const bool drops = rays<frame.rays, rises = rays> frame.rays;
-  if (drops && rose_) patience_ = std::min(2 * patience_, kMostPatience);
-  if (drops || rises) {
-    rose_ = rises;
-    minContribution_ = rays >= available_
-                           ? limits_.leastContribution
-                           : std::max(limits_.leastContribution, contributionThreshold(report.contributions, rays));
-  }
-  const bool helpless = !held_ && frame.rays == 0 && slow_ != 1;
-  atRest_ = helpless || (held_ && !rises && calm_ == 0);
+  const float before = minContribution_;
+  if (rayless_)
+    minContribution_ = limits_.leastContribution;
+  else if (rays < frame.rays)
+    minContribution_ = std::max(before, contributionThreshold(report.contributions, rays));
+  else if (rays > frame.rays)
+    minContribution_ =
+        rays >= available_ ? lowest : std::clamp(contributionThreshold(report.contributions, rays), lowest, before);
+  if (minContribution_ > before && rose_) patience_ = std::min(2 * patience_, kMostPatience);
+  if (minContribution_ != before) rose_ = minContribution_ < before;
+  const bool helpless = !held_ && (rayless_ || frame.rays == 0) && slow_ != 1;
+  atRest_ = minContribution_ == before && (helpless || (held_ && calm_ == 0));
+}
+
+// Where pixels have been dropped, those that add nothing do not come back.
+float Budget::lowestThreshold(const FrameReport& report) const {
+  const bool idle = !report.contributions.empty() && report.contributions[0] > 0;
+  return std::max(limits_.leastContribution, idle ? static_cast<float>(contributionAt(1)) : 0.0f);
 }
 
 void Budget::noteView(double available) {
@@ -77,6 +101,7 @@ void Budget::noteView(double available) {
   available_ = available;
   fitting_ = 0;
   tooMany_ = kUnknown;
+  rayless_ = false;
   patience_ = kLeastPatience;
 }
 
@@ -96,7 +121,10 @@ double Budget::raysInMemory(const Frame& frame) {
     fitting_ = std::max(fitting_, frame.rays);
     return frame.rays;
   }
-  forget_ = frame.rays > 0 || !fresh_;
+  // A structure that is too large without any ray does not become smaller for the lack of them.
+  rayless_ = rayless_ || (fresh_ && frame.rays == 0);
+  if (rayless_) return frame.rays;
+  forget_ = true;
   if (!fresh_) return frame.rays;  // perhaps it is what other views have left
   tooMany_ = std::min(tooMany_, frame.rays);
   if (fitting_ >= tooMany_) fitting_ = 0;
@@ -104,9 +132,9 @@ double Budget::raysInMemory(const Frame& frame) {
 }
 
 // For a frame within its limits.
-double Budget::raysWithRoom(const Frame& frame) {
-  const bool room =
-      frame.time < kMuchRoom * limits_.milliseconds && frame.rays < available_ && frame.rays * kClose < tooMany_;
+double Budget::raysWithRoom(const Frame& frame, bool dropping) {
+  const double leastMore = std::max(kClose * frame.rays, frame.rays + kLeastGrowth * available_);
+  const bool room = dropping && frame.time < kMuchRoom * limits_.milliseconds && leastMore < tooMany_;
   calm_ = room ? calm_ + 1 : 0;
   if (calm_ < patience_) return frame.rays;
   calm_ = 0;
@@ -115,7 +143,7 @@ double Budget::raysWithRoom(const Frame& frame) {
   if (rayTime > 0) growth = std::min(growth, (kAim * limits_.milliseconds - frame.fixedTime()) / rayTime);
   double rays = std::max(frame.rays * growth, frame.rays + kLeastGrowth * available_);
   if (tooMany_ < kUnknown) rays = std::min(rays, std::sqrt(std::max(frame.rays, 1.0) * tooMany_));
-  return std::min(rays, available_);
+  return rays;
 }
 
 float contributionThreshold(std::span<const std::uint32_t> contributions, double kept) {
@@ -123,9 +151,8 @@ float contributionThreshold(std::span<const std::uint32_t> contributions, double
   for (std::size_t i = contributions.size(); i-- > 0;) {
     const double count = contributions[i];
     if (above + count > kept) {
-      const double upperPart = std::max(0.0, kept - above) / count;
-      const double edge = static_cast<double>(i) + 1 - upperPart;
-      return static_cast<float>(std::min(1.0, std::exp2(edge / kClassesPerOctave - CONTRIBUTION_OCTAVES)));
+      const double upperPart = i > 0 ? std::max(0.0, kept - above) / count : 0;  // class 0 goes as a whole
+      return static_cast<float>(contributionAt(static_cast<double>(i) + 1 - upperPart));
     }
     above += count;
   }

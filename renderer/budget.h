@@ -33,15 +33,17 @@ class Budget {
   float minContribution() const { return minContribution_; }  // for SelectSettings
   bool forgetStructures() const { return forget_; }           // before the next frame
   bool held() const { return held_; }                         // whether the last frame was within the limits
+  std::uint64_t dropped() const { return dropped_; }          // pixels of the last frame, for the limits' sake
   bool atRest() const { return atRest_; }                     // nothing is about to change while the view stays
 
  private:
   struct Frame;  // what counts of a report
 
   void noteView(double available);
+  float lowestThreshold(const FrameReport& report) const;
   double raysInTime(const Frame& frame);
   double raysInMemory(const Frame& frame);
-  double raysWithRoom(const Frame& frame);
+  double raysWithRoom(const Frame& frame, bool dropping);
 
   BudgetLimits limits_;
   float minContribution_;
@@ -52,6 +54,8 @@ class Budget {
   int patience_;             // calm frames before pixels come back
   // Of the present view: pixels that could be traced, most rays that fitted into the memory, fewest that did not.
   double available_ = 0, fitting_ = 0, tooMany_ = 0;
+  bool rayless_ = false;  // and the memory is beyond its limit without any ray
+  std::uint64_t dropped_ = 0;
 };
 
 // The threshold that keeps about so many of the pixels that are counted (FrameReport::contributions).

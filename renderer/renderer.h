@@ -46,9 +46,10 @@ struct MemoryReport {  // bytes, counts where named so
 
 struct FrameReport {
   std::uint64_t pixels = 0;
-  std::uint64_t reflecting = 0;              // pixels that select.mode takes
-  std::uint64_t selected = 0;                // of these, pixels that are traced
-  std::vector<std::uint32_t> contributions;  // reflecting pixels of select.fraction by contribution, in classes of equal ratio
+  std::uint64_t reflecting = 0;  // pixels that select.mode takes
+  std::uint64_t selected = 0;    // of these, pixels that are traced
+  std::vector<std::uint32_t>
+      contributions;  // reflecting pixels of select.fraction by contribution, in classes of equal ratio
   std::vector<StageTime> times;
   MemoryReport memory;
   std::uint64_t overflow = 0;       // rays given up

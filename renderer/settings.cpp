@@ -37,7 +37,8 @@ void visitAll(S& s, Visitor&& visit) {
   visit("select.pattern", s.select.pattern, 0, 0, "where the pixels that are kept lie on the screen");
   visit("select.max_roughness", s.select.maxRoughness, 0, 1, "reflectivity fades to 0 at this roughness");
   visit("select.min_reflectivity", s.select.minReflectivity, 0, 1, "pixels at or below are not selected");
-  visit("select.min_contribution", s.select.minContribution, 0, 1, "pixels that add at most this to the display go");
+  visit("select.min_contribution", s.select.minContribution, 0, 1,
+        "pixels that add at most about this to the display go");
   visit("select.fill", s.select.fill, 0, 0, "what stands in for reflections that are not traced");
   visit("voxels.resolution", s.voxels.resolution, 1, 512, "voxels along each axis (identity: at most)");
   visit("voxels.per_triangle", s.voxels.perTriangle, 0, 1000, "voxels a triangle; 0: as resolution says (identity)");

@@ -53,8 +53,9 @@ struct SelectSettings {
   SelectPattern pattern = SelectPattern::scattered;
   float maxRoughness = 0.4f;  // 0..1, reflectivity fades from 1 at roughness 0 to 0 here
   float minReflectivity = 0;  // 0..1, pixels at or below are not selected
-  // 0..1, pixels that contribute at most this are not kept. The contribution is what the reflection of something as
-  // bright as white adds to the displayed colour, after Fresnel, roughness and what the blend leaves of it.
+  // 0..1, pixels that contribute at most this are not kept, and those up to a quarter of an octave above are thinned
+  // out. The contribution is what the reflection of something as bright as white adds to the displayed colour, after
+  // Fresnel, roughness and what the blend leaves of it.
   float minContribution = 0;
   Fill fill = Fill::neighbours;  // the reflection of pixels that reflect and were not traced
 

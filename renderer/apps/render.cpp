@@ -132,7 +132,7 @@ class Frames {
       statistics_->budget->held = repeat == 0 && budget_->held() ? 1 : 0;
       clock.lap("budget");
     }
-    statistics_->firstFrame = repeat == 0;
+    statistics_->firstFrame = repeat == 0 && !budget_;
     statistics_->warmUpFrames = warmUp - (repeat == 0 ? 1 : 0);
     StageTimes times;
     for (int frame = 0; frame < repeat; ++frame) {
@@ -162,7 +162,10 @@ class Frames {
     }
     renderer_->render(*camera_, settings, target_);
     statistics_->report = renderer_->report();
-    if (budget_) budget_->learn(statistics_->report);
+    if (budget_) {
+      budget_->learn(statistics_->report);
+      statistics_->budget->dropped = budget_->dropped();
+    }
     addWarnings(statistics_->report.warnings, statistics_->warnings);
   }
 
@@ -258,7 +261,7 @@ void render(const RenderRequest& request) {
 std::string aPositiveNumber(const std::string& text) {
   char* end = nullptr;
   const double value = std::strtod(text.c_str(), &end);
-  return end != text.c_str() && *end == 0 && value > 0 && std::isfinite(value) ? "" : text + " is not above 0";
+  return end != text.c_str() && *end == 0 && value > 0 && std::isfinite(value) ? "" : text + " is no number above 0";
 }
 
 void addOutputOptions(CLI::App& command, RenderRequest& request) {

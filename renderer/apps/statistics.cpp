@@ -59,10 +59,8 @@ double coverage(const FrameReport& report) {
   return report.pixels ? static_cast<double>(report.selected) / static_cast<double>(report.pixels) : 0;
 }
 
-std::uint64_t dropped(const FrameReport& report) { return report.reflecting - report.selected; }
-
 // null stands for a limit that was not given.
-Json budgetJson(const BudgetSummary& budget, const FrameReport& report) {
+Json budgetJson(const BudgetSummary& budget) {
   const auto limit = [](double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); };
   return {{"milliseconds", limit(budget.limits.milliseconds)},
           {"megabytes", limit(budget.limits.bytes / 1e6)},
@@ -70,7 +68,7 @@ Json budgetJson(const BudgetSummary& budget, const FrameReport& report) {
           {"frames_held", budget.held},
           {"settled", budget.settled},
           {"min_contribution", budget.minContribution},
-          {"dropped", dropped(report)}};
+          {"dropped", budget.dropped}};
 }
 
 std::string budgetLine(const BudgetSummary& budget, const FrameReport& report) {
@@ -78,8 +76,8 @@ std::string budgetLine(const BudgetSummary& budget, const FrameReport& report) {
   if (std::isfinite(budget.limits.milliseconds)) limits += format("%g ms", budget.limits.milliseconds);
   if (std::isfinite(budget.limits.bytes))
     limits += format(limits.empty() ? "%g MB" : " and %g MB", budget.limits.bytes / 1e6);
-  return format("budget      %s: held in %zu of %zu frames; dropped %llu of %llu pixels, contributions below %.4f\n",
-                limits.c_str(), budget.held, budget.frames, static_cast<unsigned long long>(dropped(report)),
+  return format("budget      %s: held in %zu of %zu frames; dropped %llu of %llu pixels, contributions to about %.4f\n",
+                limits.c_str(), budget.held, budget.frames, static_cast<unsigned long long>(budget.dropped),
                 static_cast<unsigned long long>(report.reflecting), static_cast<double>(budget.minContribution));
 }
 
@@ -159,7 +157,7 @@ Json toJson(const RunStatistics& s) {
                                     {"rejected", stage.rejected}};
   json["wall_ms"] = Json::object();
   for (const auto& [lap, elapsed] : s.wallMilliseconds) json["wall_ms"][lap] = elapsed;
-  if (s.budget) json["budget"] = budgetJson(*s.budget, s.report);
+  if (s.budget) json["budget"] = budgetJson(*s.budget);
   json["warm_up_frames"] = s.warmUpFrames;
   json["overflow"] = s.report.overflow;
   json["lost_fragments"] = s.report.lostFragments;

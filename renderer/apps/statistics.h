@@ -44,6 +44,7 @@ class StageTimes {
 struct BudgetSummary {
   BudgetLimits limits;
   float minContribution = 0;         // of the last frame
+  std::uint64_t dropped = 0;         // pixels of the last frame, for the limits' sake
   bool settled = false;              // the threshold had come to rest when the picture or the measured frames began
   std::size_t frames = 0, held = 0;  // that were drawn since then, and those of them within the limits
 };

@@ -112,7 +112,9 @@ TEST(BenchAll, OnePageOfAllModes) {
     EXPECT_GT(readText(folder / ("DIR/" + mode + ".csv")).size(), 100u);
   }
   // What all parts have in common is said once.
+  ASSERT_NE(page.find("Measured with"), std::string::npos);
   EXPECT_EQ(page.find("Measured with"), page.rfind("Measured with"));
+  ASSERT_NE(page.find("<!DOCTYPE html>"), std::string::npos);
   EXPECT_EQ(page.find("<!DOCTYPE html>"), page.rfind("<!DOCTYPE html>"));
 
   result = runProgramIn(folder, command);

@@ -84,7 +84,7 @@ TEST_F(CompositeTest, NeighboursStandInForWhatIsNotTraced) {
 TEST_F(CompositeTest, SurfacesThatFaceElsewhereDoNotStandIn) {
   Scene scene;
   const std::uint32_t material = addMaterial(scene, mirror(1));
-  addQuad(scene, {-100, 0, 0}, {100, 0, 0}, {0, 0, -100}, material);  // the right half lies, the left half stands
+  addQuad(scene, {-100, 0, 0}, {100, 0, 0}, {0, 0, -100}, material);  // one lies, the other stands behind it
   addQuad(scene, {-100, 0, 0}, {100, 0, 0}, {0, 100, 0}, material);
   scene.sky = evenSky(vec3(0.5f));
   settings.shadow.skyDirections = 0;

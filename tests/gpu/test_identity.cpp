@@ -214,6 +214,25 @@ TEST_F(TracingTest, ListsAreBuiltOnDemandAndStay) {
   EXPECT_EQ(moved.layers.data, drawOnce(scene, other, anew, 80, 60).layers.data);
 }
 
+// What other views and places needed is gone, and what is built then is what a first frame builds.
+TEST_F(TracingTest, ForgottenStructuresAreBuiltAnew) {
+  Scene scene = soup(3000);
+  const Settings kept = settingsWith({});
+  Renderer renderer = makeRenderer(scene);
+  drawWith(renderer, lookAt({1.5f, 1.2f, 2.0f}, {0, 0.1f, 0}), kept, 80, 60);
+  const Frame both = drawWith(renderer, kAbove, kept, 80, 60);
+  renderer.forgetStructures();
+  const VertexRange range{0, 300};
+  for (std::uint32_t v = 0; v < range.count; ++v) scene.vertices[v].position.y += 0.05f;
+  renderer.updateVertices(scene, std::span(&range, 1));
+  const Frame forgotten = drawWith(renderer, kAbove, kept, 80, 60);
+  const Frame first = drawOnce(scene, kAbove, kept, 80, 60);
+  EXPECT_EQ(forgotten.layers.data, first.layers.data);
+  EXPECT_EQ(forgotten.report.memory.fragmentsStored, first.report.memory.fragmentsStored);
+  EXPECT_LT(forgotten.report.memory.fragmentsStored, both.report.memory.fragmentsStored);
+  EXPECT_GT(first.report.memory.fragmentsStored, 100u);
+}
+
 // A frame in which an object moves builds anew what that object touches; pictures are those of a full rebuild.
 TEST_F(TracingTest, MovingTrianglesAreFollowed) {
   Scene scene = soup(2000);

@@ -104,14 +104,94 @@ TEST(Budget, TimeIsHeldFromTheSecondFrameOn) {
   EXPECT_LE(changes(result.thresholds), 3);
 }
 
+// A frame of 24 ms with all of its 100,000 pixels: a tenth contribute about 2^-1, the others about 2^-5.
+FrameReport twoKinds() {
+  FrameReport report = Machine().draw(0, false);
+  std::fill(report.contributions.begin(), report.contributions.end(), 0);
+  report.contributions[16 * 11 + 8] = 90000;
+  report.contributions[16 * 15 + 8] = 10000;
+  return report;
+}
+
 TEST(Budget, LeastContributionsGoFirst) {
+  Budget budget({.milliseconds = 12});
+  budget.learn(twoKinds());  // room for 30,000: all of the first kind and a few of the second
+  EXPECT_GT(budget.minContribution(), std::exp2(-5 + 8.5f / 16));
+  EXPECT_LT(budget.minContribution(), std::exp2(-5 + 9.0f / 16));
+  Budget smaller({.milliseconds = 5.5});
+  smaller.learn(twoKinds());  // room for some thousand of the first
+  EXPECT_GT(smaller.minContribution(), std::exp2(-1 + 8.0f / 16));
+  EXPECT_LT(smaller.minContribution(), std::exp2(-1 + 9.0f / 16));
+}
+
+TEST(Budget, WhatAddsNothingGoesAsAWholeAndStaysAway) {
+  Budget budget({.milliseconds = 12});
+  FrameReport report = twoKinds();
+  report.contributions[0] = 100000;  // twice as many pixels, half of them not reflecting
+  report.selected *= 2;
+  report.times = {{"trace", 40}, {"frame", 44}};
+  budget.learn(report);
+  EXPECT_GT(budget.minContribution(), 0);
+  Budget enough({.milliseconds = 30});
+  enough.learn(report);
+  const float least = enough.minContribution();
+  EXPECT_GT(least, 0);
+  EXPECT_LT(least, 2e-5f);
+  FrameReport without = twoKinds();
+  without.contributions[0] = 100000;
+  without.times = {{"trace", 2}, {"frame", 6}};
+  for (int i = 0; i < 20; ++i) enough.learn(without);
+  EXPECT_EQ(enough.minContribution(), least);
+  EXPECT_EQ(enough.dropped(), 0u);
+  EXPECT_TRUE(enough.atRest());
+}
+
+TEST(Budget, DroppedPixelsAreThoseOfTheLimits) {
+  Machine machine;
+  Budget budget({.milliseconds = 12, .leastContribution = 0.01f});
+  run(machine, budget, 30);
+  const FrameReport last = machine.draw(budget.minContribution(), false);
+  double most = 0;
+  for (std::size_t i = 16 * 9 + 5; i < last.contributions.size(); ++i) most += last.contributions[i];
+  EXPECT_NEAR(static_cast<double>(budget.dropped()), most - static_cast<double>(last.selected), 1000);
+  EXPECT_GT(budget.dropped(), 20000u);
+  Machine fast;
+  Budget large({.milliseconds = 100, .leastContribution = 0.01f});
+  run(fast, large, 5);
+  EXPECT_EQ(large.dropped(), 0u);
+}
+
+TEST(Budget, RejectedTimesTeachNothing) {
   Machine machine;
   Budget budget({.milliseconds = 12});
   run(machine, budget, 30);
-  // 8 octaves evenly filled: what is left lies above the threshold.
-  const double kept = 8 * static_cast<double>(machine.draw(budget.minContribution(), false).selected) / 1e5;
-  EXPECT_NEAR(-std::log2(static_cast<double>(budget.minContribution())), kept, 1e-3);
-  EXPECT_GT(budget.minContribution(), 1.0f / 16);
+  const float before = budget.minContribution();
+  FrameReport report = machine.draw(before, false);
+  report.times.back().milliseconds = -1;
+  for (int i = 0; i < 50; ++i) budget.learn(report);
+  EXPECT_EQ(budget.minContribution(), before);
+}
+
+TEST(Budget, SlowFramesBetweenCalmOnesKeepPixelsAway) {
+  Machine machine;
+  Budget budget({.milliseconds = 12});
+  run(machine, budget, 30);
+  for (int i = 0; i < 30; ++i) {
+    machine.timePerRay = i % 3 == 2 ? 4e-4 : 1e-4;
+    const float before = budget.minContribution();
+    budget.learn(machine.draw(before, false));
+    EXPECT_GE(budget.minContribution(), before) << i;
+  }
+}
+
+TEST(Budget, MemoryThatRaysDoNotTakeIsNotTheirs) {
+  Machine machine;
+  machine.fixedBytes = 9e8;
+  Budget budget({.bytes = 1e8});
+  const History result = run(machine, budget, 40);
+  EXPECT_FALSE(budget.held());
+  EXPECT_TRUE(budget.atRest());
+  EXPECT_EQ(result.frames.back().selected, 100000u);
 }
 
 TEST(Budget, NoiseDoesNotMakeItSwing) {
@@ -215,12 +295,14 @@ TEST(Budget, AnotherViewIsMeasuredAnew) {
 }
 
 TEST(Budget, TheUsersOwnThresholdStays) {
-  Machine machine;
-  Budget budget({.milliseconds = 100, .leastContribution = 0.25f});
-  const History result = run(machine, budget, 20);
-  EXPECT_EQ(budget.minContribution(), 0.25f);
-  EXPECT_NEAR(static_cast<double>(result.frames.back().selected), 25000, 1);
-  EXPECT_TRUE(budget.atRest());
+  for (const float least : {0.25f, 0.3f, 0.05f}) {
+    Machine machine;
+    Budget budget({.milliseconds = 100, .leastContribution = least});
+    const History result = run(machine, budget, 20);
+    EXPECT_EQ(budget.minContribution(), least);
+    EXPECT_NEAR(static_cast<double>(result.frames.back().selected), -12500 * std::log2(least), 2);
+    EXPECT_TRUE(budget.atRest());
+  }
 }
 
 }  // namespace

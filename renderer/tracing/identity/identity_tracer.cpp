@@ -74,6 +74,7 @@ IdentityTracer::IdentityTracer(const gl::Api& api, const Settings& settings)
 void IdentityTracer::build(const GpuScene& scene, const RayQueue&, gl::Profiler& profiler) {
   transient_ = 0;
   if (lost_ > 0) geometry_.reset();  // a full pool begins anew
+  firstLookAhead_ = kKeptLookAhead;
   if (keep_ && geometry_ == scene.geometry) return;
   constexpr double kVoxels = BRICK_SIDE * BRICK_SIDE * BRICK_SIDE;
   const double voxels = perTriangle_ * static_cast<double>(scene.triangleCount);
@@ -88,10 +89,12 @@ void IdentityTracer::build(const GpuScene& scene, const RayQueue&, gl::Profiler&
   grid_.voxels *= BRICK_SIDE;
   if (!follows) voxelPass_.run(scene, brickGrid_, voxels_, profiler);
   const auto scope = profiler.section("voxelize");
-  if (follows)
+  if (follows) {
     followMove(scene);
-  else
+  } else {
     forgetBricks();
+    firstLookAhead_ = kFirstLookAhead;
+  }
   geometry_ = scene.geometry;
 }
 
@@ -194,7 +197,7 @@ void IdentityTracer::bindStructure() const {
 void IdentityTracer::trace(const GpuScene& scene, const RayQueue& rays, Hits& hits, gl::Profiler& profiler) {
   const gl::Program& program = tracePass_.program();
   grid_.apply(program);
-  int lookAhead = used_ > 0 ? kKeptLookAhead : kFirstLookAhead;
+  int lookAhead = firstLookAhead_;
   program.set("lookAhead", lookAhead);
   program.set("mostRequests", kMostRequests);
   bindStructure();

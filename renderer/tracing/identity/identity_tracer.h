@@ -63,6 +63,7 @@ class IdentityTracer final : public Tracer {
   gl::Buffer outer_;                     // triangles that reach beyond the grid: their count, then their numbers
   gl::Buffer candidates_, brickBuilds_;  // while a frame builds
   BuildCounters counters_;
+  int firstLookAhead_ = 0;                 // of this frame's rays, bricks
   std::optional<std::uint32_t> geometry_;  // of what is built; none: nothing is
   // Words.
   std::uint64_t used_ = 0;          // in runs
