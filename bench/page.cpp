@@ -6,14 +6,14 @@ namespace halfsilver::bench {
 namespace {
 
 constexpr const char* kStyle = R"(
-body { font: 16px/1.5 system-ui, sans-serif; color: #222; background: #fff; max-width: 68rem; margin: 2rem auto; padding: 0 1rem; }
+body { font: 16px/1.5 system-ui, sans-serif; color: #222; background: #fff; max-width: 76rem; margin: 2rem auto; padding: 0 1rem; }
 h1 { line-height: 1.2; } h2 { margin-top: 2.2rem; }
 article { border-top: 2px solid #888; margin-top: 3rem; } article h1 { font-size: 1.6rem; }
 nav li { margin: 0.3rem 0; }
 p, li { max-width: 46rem; }
 .table { overflow-x: auto; }
-table { border-collapse: collapse; font-size: 0.85rem; }
-th, td { padding: 0.25rem 0.6rem; border-bottom: 1px solid #ddd; text-align: left; vertical-align: bottom; }
+table { border-collapse: collapse; font-size: 0.8rem; }
+th, td { padding: 0.25rem 0.45rem; border-bottom: 1px solid #ddd; text-align: left; vertical-align: bottom; }
 th { border-bottom: 2px solid #888; }
 td.number { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
 tbody tr:hover { background: #f4f6f8; }
