@@ -40,14 +40,14 @@ Settings curveSettings(const std::string& preset, SelectPattern pattern, bool qu
   return settings;
 }
 
-Plan planCoverage(const Session& session) {
-  const std::vector<std::string> presets = chosenPresets(session.request, {kDefaultPreset});
+Plan planCoverage(const Setup& setup) {
+  const std::vector<std::string> presets = chosenPresets(setup.request, {kDefaultPreset});
   Plan plan;
   const auto add = [&](const BenchScene& scene, const std::string& preset, int round, int step, SelectPattern pattern) {
     const std::size_t triangles = scene.model.scene.triangles.size();
-    Settings settings = curveSettings(preset, pattern, session.request.quick, triangles);
+    Settings settings = curveSettings(preset, pattern, setup.request.quick, triangles);
     settings.select.fraction = static_cast<float>(step) / kSteps;
-    Json key = pointKey(session.bench.describe(scene, settings), scene);
+    Json key = pointKey(setup.bench.describe(scene, settings), scene);
     key["preset"] = preset;
     key["round"] = round;
     const std::string label =
@@ -55,7 +55,7 @@ Plan planCoverage(const Session& session) {
     // Time grows with what is traced, above what every frame takes.
     plan.tasks.push_back(
         {std::move(key), label, workOf(0.1 * (8 + step), triangles),
-         [&scene, &bench = session.bench, &folder = session.folder, settings, keeps = step == kSteps](Json& point) {
+         [&scene, &bench = setup.bench, &folder = setup.folder, settings, keeps = step == kSteps](Json& point) {
            RunStatistics run = bench.describe(scene, settings);
            bench.draw(scene, run);
            addMeasured(point, run);
@@ -63,13 +63,13 @@ Plan planCoverage(const Session& session) {
            if (keeps) keepPicture(folder, pictureName(scene.name), bench);
          }});
   };
-  for (const BenchScene& scene : session.scenes)
+  for (const BenchScene& scene : setup.scenes)
     for (const std::string& preset : presets)
       for (int round = 0; round < kRounds; ++round)
-        for (const int step : steps(session.request.quick))
+        for (const int step : steps(setup.request.quick))
           for (const SelectPattern pattern : {SelectPattern::region, SelectPattern::scattered})
             add(scene, preset, round, step, pattern);
-  plan.report = [&folder = session.folder, &scenes = session.scenes](const PointList& points) {
+  plan.report = [&folder = setup.folder, &scenes = setup.scenes](const PointList& points) {
     const CoverageCurves curves = coverageCurves(points);
     const ChartFiles chart = drawChart(coverageChart(curves));
     return Report{.title = "What it costs to trace a part of the screen",

@@ -73,21 +73,21 @@ class Measurement {
   Truth truth_;
 };
 
-Plan planMemory(const Session& session) {
-  const auto measurement = std::make_shared<Measurement>(session.folder, session.bench);
+Plan planMemory(const Setup& setup) {
+  const auto measurement = std::make_shared<Measurement>(setup.folder, setup.bench);
   Plan plan;
-  for (const BenchScene& scene : session.scenes) {
+  for (const BenchScene& scene : setup.scenes) {
     const std::size_t triangles = scene.model.scene.triangles.size();
     const bool exact = static_cast<bool>(exactFactory(scene.model.scene, 0));
-    for (const Variant& variant : variants(session.request.quick, triangles, exact)) {
-      Task task{pointKey(session.bench.describe(scene, variant.settings), scene), scene.name + ", " + variant.name,
+    for (const Variant& variant : variants(setup.request.quick, triangles, exact)) {
+      Task task{pointKey(setup.bench.describe(scene, variant.settings), scene), scene.name + ", " + variant.name,
                 workOf(3, triangles),
                 [measurement, &scene, variant](Json& point) { measurement->measure(scene, variant, point); }};
       task.key["preset"] = variant.name;
       plan.tasks.push_back(std::move(task));
     }
   }
-  plan.report = [&folder = session.folder, &scenes = session.scenes](const PointList& points) {
+  plan.report = [&folder = setup.folder, &scenes = setup.scenes](const PointList& points) {
     const ChartFiles chart = drawChart(memoryChart(points));
     return Report{.title = "What reflections take in memory",
                   .tables = {{"memory", memoryCsv(points)}},

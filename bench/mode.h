@@ -17,7 +17,7 @@
 namespace halfsilver::bench {
 
 // What a mode works with. All of it lives until the report is written.
-struct Session {
+struct Setup {
   const Request& request;
   std::vector<BenchScene>& scenes;  // those of the request
   Workbench& bench;
@@ -37,7 +37,7 @@ struct Mode {
   bool takesTimeLimit = false;   // --time-limit, see Request::timeLimit
   bool bringsOwnScenes = false;  // where the command names none; always in `all`
   // Throws Error: a bad request must not show after an hour's work. Error (failed) leaves the mode out of `all`.
-  std::function<Plan(const Session&)> plan;
+  std::function<Plan(const Setup&)> plan;
 };
 
 // Measures and writes one folder with the files of all modes and one page.

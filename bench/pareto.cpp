@@ -148,15 +148,15 @@ class Measurement {
   Truth truth_;
 };
 
-Task taskOf(const Session& session, const BenchScene& scene, const Variant& variant, int round,
+Task taskOf(const Setup& setup, const BenchScene& scene, const Variant& variant, int round,
             const std::shared_ptr<Measurement>& measurement) {
-  const bool quick = session.request.quick;
+  const bool quick = setup.request.quick;
   const std::size_t triangles = scene.model.scene.triangles.size();
   const Settings settings = settingsOf(variant, quick, triangles);
   Task task;
   task.series = scene.name + ", " + variant.name();
   task.label = task.series + ", round " + std::to_string(round + 1);
-  task.key = pointKey(session.bench.describe(scene, settings), scene);
+  task.key = pointKey(setup.bench.describe(scene, settings), scene);
   task.key["preset"] = variant.name();
   task.key["family"] = variant.family;
   task.key["knob"] = variant.knob;
@@ -175,17 +175,17 @@ Task taskOf(const Session& session, const BenchScene& scene, const Variant& vari
 }
 
 // Rounds go over all variants of a scene in turn, so that a slow moment of the machine does not fall on one alone.
-Plan planPareto(const Session& session) {
-  if (!exactFactory(session.scenes.front().model.scene, 0))
+Plan planPareto(const Setup& setup) {
+  if (!exactFactory(setup.scenes.front().model.scene, 0))
     throw Error(ErrorKind::failed, "pareto needs the reference: build with Embree");
-  const auto measurement = std::make_shared<Measurement>(session.folder, session.bench);
-  const bool quick = session.request.quick;
+  const auto measurement = std::make_shared<Measurement>(setup.folder, setup.bench);
+  const bool quick = setup.request.quick;
   Plan plan;
-  for (const BenchScene& scene : session.scenes)
+  for (const BenchScene& scene : setup.scenes)
     for (int round = 0; round < roundsFor(0, quick); ++round)
       for (const Variant& variant : variants(quick, scene.model.scene.triangles.size()))
-        plan.tasks.push_back(taskOf(session, scene, variant, round, measurement));
-  plan.report = [&folder = session.folder, &scenes = session.scenes](const PointList& points) {
+        plan.tasks.push_back(taskOf(setup, scene, variant, round, measurement));
+  plan.report = [&folder = setup.folder, &scenes = setup.scenes](const PointList& points) {
     const std::vector<ParetoScene> measured = paretoScenes(points);
     PointList firsts;
     for (const ParetoScene& scene : measured)

@@ -156,16 +156,16 @@ class Measurement {
   BenchScene scene_;
 };
 
-Plan planScaling(const Session& session) {
-  const std::vector<std::string> presets = chosenPresets(session.request, {kDefaultPreset, "kastrati2017", "hu2014"});
-  const auto measurement = std::make_shared<Measurement>(session.bench, session.folder);
-  const double timeLimit = session.request.timeLimit;
+Plan planScaling(const Setup& setup) {
+  const std::vector<std::string> presets = chosenPresets(setup.request, {kDefaultPreset, "kastrati2017", "hu2014"});
+  const auto measurement = std::make_shared<Measurement>(setup.bench, setup.folder);
+  const double timeLimit = setup.request.timeLimit;
   Plan plan;
-  for (const Case& point : cases(session.request))
+  for (const Case& point : cases(setup.request))
     for (const std::string& preset : presets) {
-      const Settings settings = settingsOf(preset, session.request.quick, point);
+      const Settings settings = settingsOf(preset, setup.request.quick, point);
       const bool keepsPicture = preset == presets.front() && growsTriangles(point) &&
-                                point.scene.triangles == (session.request.quick ? kQuickTriangles : kTriangles);
+                                point.scene.triangles == (setup.request.quick ? kQuickTriangles : kTriangles);
       plan.tasks.push_back(
           {.key = measurement->key(point, preset, settings),
            .label = preset + ", " + std::string(point.axis) + ' ' + number(point.value, 0),
@@ -175,7 +175,7 @@ Plan planScaling(const Session& session) {
            .series = preset + ", " + point.axis,
            .ends = [timeLimit](const Json& result) { return stops(result, timeLimit); }});
     }
-  plan.report = [&folder = session.folder, timeLimit](const PointList& points) {
+  plan.report = [&folder = setup.folder, timeLimit](const PointList& points) {
     const ScalingSeries series = scalingSeries(points);
     const ChartFiles chart = drawChart(scalingChart(series));
     std::vector<ScenePicture> pictures;

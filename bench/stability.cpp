@@ -241,14 +241,14 @@ Request withFailureScenes(Request request) {
   return request;
 }
 
-Plan planStability(const Session& session) {
-  const std::vector<Variant> methods = chosenVariants(session.request);
+Plan planStability(const Setup& setup) {
+  const std::vector<Variant> methods = chosenVariants(setup.request);
   const auto failures = std::make_shared<std::vector<BenchScene>>();
-  if (session.scenes.empty()) *failures = loadScenes(withFailureScenes(session.request));
-  std::vector<BenchScene>& scenes = session.scenes.empty() ? *failures : session.scenes;
+  if (setup.scenes.empty()) *failures = loadScenes(withFailureScenes(setup.request));
+  std::vector<BenchScene>& scenes = setup.scenes.empty() ? *failures : setup.scenes;
   if (!exactFactory(scenes.front().model.scene, 0))
     throw Error(ErrorKind::failed, "stability needs the reference: build with Embree");
-  const auto measurement = std::make_shared<Measurement>(session.request.quick, session.folder, session.bench);
+  const auto measurement = std::make_shared<Measurement>(setup.request.quick, setup.folder, setup.bench);
   Plan plan;
   for (BenchScene& scene : scenes) {
     const Subject subject = subjectOf(scene);
@@ -261,7 +261,7 @@ Plan planStability(const Session& session) {
                             }});
     }
   }
-  plan.report = [&folder = session.folder](const PointList& points) {
+  plan.report = [&folder = setup.folder](const PointList& points) {
     return Report{.title = "Where methods fail",
                   .tables = {{"stability", stabilityCsv(points)}},
                   .chart = std::nullopt,
