@@ -12,8 +12,9 @@ namespace {
 constexpr double kPanelWidth = 550, kPanelHeight = 430;             // pixels
 constexpr double kLeft = 75, kRight = 20, kTop = 45, kBottom = 65;  // margins of a panel
 constexpr double kLegendRow = 26, kLegendColumn = 175;
-constexpr double kRadius = 5.5;                // of a mark of medium size
-constexpr double kLetter = 6.2, kLine = 12;    // of a label
+constexpr double kRadius = 5.5;              // of a mark of medium size
+constexpr double kLetter = 6.6, kLine = 12;  // of a label
+constexpr double kBetweenLabels = 5;
 constexpr double kBelowAxis = 90, kZero = 40;  // room below the axis; height of its row for 0
 
 struct Box {
@@ -93,7 +94,8 @@ bool inside(const Box& box, const Box& area) {
 // The first free place for a label: beside its mark, or some lines above or below it.
 std::optional<Box> place(const Mark& mark, const Plane& plane, const std::vector<Box>& taken) {
   const Box own = around(mark, plane);
-  const double width = kLetter * static_cast<double>(mark.label.size()), x = plane.x(mark.x), y = plane.y(mark.y);
+  const double width = kLetter * static_cast<double>(mark.label.size()) + kBetweenLabels;
+  const double x = plane.x(mark.x), y = plane.y(mark.y);
   for (const int line : {0, -1, 1, -2, 2, -3, 3, -4, 4, -5, 5, -6, 6, -7, 7, -8, 8})
     for (const double left : {own.right + 3, own.left - 3 - width, x - width / 2}) {
       const double middle = y + line * (kLine + 1);
