@@ -60,14 +60,9 @@ Range logarithmicRange(const Panel& panel, double Sample::*value) {
   return {range.low / missing, range.high * missing};
 }
 
-// 1, 2, 5, 10, ... over few decades, otherwise 1, 10, 100, ...
-std::string decadeTics(const Range& range) {
-  const bool few = range.high < 200 * range.low;
+std::string decadeTicks(const Range& range) {
   std::ostringstream list;
-  for (double decade = std::pow(10.0, std::floor(std::log10(range.low))); decade <= range.high; decade *= 10)
-    for (const double step : {1.0, 2.0, 5.0})
-      if ((few || step == 1.0) && step * decade >= range.low && step * decade <= range.high)
-        list << (list.tellp() > 0 ? "," : "(") << step * decade;
+  for (const double tick : logarithmicTicks(range.low, range.high)) list << (list.tellp() > 0 ? "," : "(") << tick;
   list << ')';
   return list.str();
 }
@@ -160,7 +155,7 @@ std::string gnuplotScript(const PanelGrid& grid, ChartFormat format) {
            << quoted(panel.yAxis) << "\nset xtics " << ticksOf(panel) << '\n';
     if (panel.logarithmic) {
       const Range x = logarithmicRange(panel, &Sample::x), y = logarithmicRange(panel, &Sample::y);
-      script << "set logscale xy 10\nset ytics " << decadeTics(y) << "\nset format y \"%g\"\nset xrange [" << x.low
+      script << "set logscale xy 10\nset ytics " << decadeTicks(y) << "\nset format y \"%g\"\nset xrange [" << x.low
              << ':' << x.high << "]\nset yrange [" << y.low << ':' << y.high << "]\n";
     } else {
       script << "unset logscale\nset ytics autofreq\nset format y\nset xrange [0:" << limit(panel, &Sample::x)

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <iterator>
 #include <string>
+#include <vector>
 
 #include "bench/chart.h"
 
@@ -15,6 +16,8 @@ constexpr const char* kColors[] = {"#0072b2", "#e69f00", "#009e73", "#b8b8b8", "
 constexpr std::size_t kNoFamily = std::size(kColors) - 1;
 
 std::string quoted(const std::string& text);
+// Places of a logarithmic axis: 1, 2, 5, 10, ... over few decades, otherwise 1, 10, 100, ... Both ends are positive.
+std::vector<double> logarithmicTicks(double low, double high);
 // Size in pixels.
 std::string terminal(ChartFormat format, double width, double height);
 

@@ -58,8 +58,8 @@ class Plane {
     const double bottom = low_ - kBelowAxis * pixel;
     text << "set xrange [" << std::pow(10, lowX_) << ':' << std::pow(10, highX_) << "]\nset yrange ["
          << std::pow(10, bottom) << ':' << std::pow(10, high_) << "]\nset ytics (\"0\" "
-         << std::pow(10, bottom + kZero * pixel) << tics(low_, high_) << ")\nset xtics (\"\" " << std::pow(10, lowX_)
-         << tics(lowX_, highX_) << ")\n";
+         << std::pow(10, bottom + kZero * pixel) << ticks(low_, high_) << ")\nset xtics (\"\" " << std::pow(10, lowX_)
+         << ticks(lowX_, highX_) << ")\n";
     return text.str();
   }
 
@@ -67,14 +67,10 @@ class Plane {
   double height(double logarithm) const {
     return area_.top + (high_ - logarithm) / (high_ - low_) * (area_.bottom - kBelowAxis - area_.top);
   }
-  // 1, 2, 5, 10 ..., on long axes powers of ten alone; each after a comma.
-  static std::string tics(double low, double high) {
+  // Each after a comma; ends are powers of ten.
+  static std::string ticks(double low, double high) {
     std::ostringstream text;
-    for (double decade = std::floor(low); decade <= high; ++decade)
-      for (const double digit : {1, 2, 5})
-        if (digit == 1 || high - low < 2.5)
-          if (const double place = decade + std::log10(digit); place > low - 1e-6 && place < high + 1e-6)
-            text << ", " << digit * std::pow(10, decade);
+    for (const double tick : logarithmicTicks(std::pow(10, low), std::pow(10, high))) text << ", " << tick;
     return text.str();
   }
 

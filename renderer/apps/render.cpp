@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -205,9 +204,16 @@ void writePictures(const Renderer& renderer, const OffscreenTarget& target, cons
   outputs.writeLayers(layers, diagonal);
 }
 
+void checkBudget(const char* option, const std::optional<double>& limit) {
+  if (limit && !(*limit > 0 && std::isfinite(*limit)))
+    throw Error(ErrorKind::usage, std::string(option) + " must be a number above 0");
+}
+
 void render(const RenderRequest& request) {
   WallClock clock;
   // All that can be wrong with the request itself, before any long work.
+  checkBudget("--budget-ms", request.budgetMilliseconds);
+  checkBudget("--budget-mb", request.budgetMegabytes);
   const ViewArguments arguments = checkView(request.view);
   const Size& size = arguments.size;
   RunStatistics statistics;
@@ -257,13 +263,6 @@ void render(const RenderRequest& request) {
   outputs.commit();
 }
 
-// For CLI11, whose own ranges let "nan" pass.
-std::string aPositiveNumber(const std::string& text) {
-  char* end = nullptr;
-  const double value = std::strtod(text.c_str(), &end);
-  return end != text.c_str() && *end == 0 && value > 0 && std::isfinite(value) ? "" : text + " is no number above 0";
-}
-
 void addOutputOptions(CLI::App& command, RenderRequest& request) {
   command.add_option("-o,--output", request.output, "Picture: .png (tone-mapped sRGB) or .exr (linear)")->required();
   command.add_option("--stats", request.stats, "Statistics as JSON");
@@ -284,13 +283,10 @@ void addRenderCommand(CLI::App& program) {
                    "Frames measured after the first one; times are medians (default: 1 with --stats, else the first "
                    "frame is the picture)")
       ->check(CLI::Range(1, 100000));
-  command
-      ->add_option("--budget-ms", request.budgetMilliseconds,
-                   "Milliseconds of a frame; reflections that contribute least go until it holds")
-      ->check(aPositiveNumber);
-  command
-      ->add_option("--budget-mb", request.budgetMegabytes, "Megabytes of the structure that is traced, in the same way")
-      ->check(aPositiveNumber);
+  command->add_option("--budget-ms", request.budgetMilliseconds,
+                      "Milliseconds of a frame; reflections that contribute least go until it holds");
+  command->add_option("--budget-mb", request.budgetMegabytes,
+                      "Megabytes of the structure that is traced, in the same way");
   command->callback([shared] { render(*shared); });
 }
 
