@@ -12,8 +12,8 @@
 #include <numeric>
 #include <sstream>
 
+#include <halfsilver/error.h>
 #include "bench/gnuplot.h"
-#include "core/error.h"
 
 namespace halfsilver::bench {
 namespace {

@@ -6,12 +6,12 @@
 #include <string>
 #include <utility>
 
+#include <halfsilver/error.h>
 #include "bench/coverage_report.h"
 #include "bench/points.h"
 #include "bench/report.h"
 #include "bench/tasks.h"
 #include "bench/workbench.h"
-#include "core/error.h"
 
 namespace halfsilver::bench {
 namespace {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/image.h"
+#include <halfsilver/image.h>
 
 namespace halfsilver::bench {
 

@@ -4,6 +4,7 @@
 #include <memory>
 #include <utility>
 
+#include <halfsilver/io.h>
 #include "apps/drawing.h"
 #include "bench/memory_report.h"
 #include "bench/points.h"
@@ -11,8 +12,6 @@
 #include "bench/tasks.h"
 #include "bench/truth.h"
 #include "bench/workbench.h"
-#include "io/compare.h"
-#include "io/settings_file.h"
 
 namespace halfsilver::bench {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 
+#include <halfsilver/scene.h>
 #include "bench/mode.h"
-#include "scene/scene.h"
 
 namespace halfsilver::bench {
 

@@ -5,8 +5,8 @@
 #include <memory>
 #include <utility>
 
+#include <halfsilver/error.h>
 #include "bench/page.h"
-#include "core/error.h"
 
 namespace halfsilver::bench {
 namespace {

@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include <halfsilver/error.h>
+#include <halfsilver/io.h>
 #include "apps/drawing.h"
 #include "bench/pareto_report.h"
 #include "bench/points.h"
@@ -13,8 +15,6 @@
 #include "bench/tasks.h"
 #include "bench/truth.h"
 #include "bench/workbench.h"
-#include "core/error.h"
-#include "io/compare.h"
 
 namespace halfsilver::bench {
 namespace {

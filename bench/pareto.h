@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <optional>
 
+#include <halfsilver/image.h>
 #include "bench/mode.h"
-#include "core/image.h"
 
 namespace halfsilver::bench {
 

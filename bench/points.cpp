@@ -6,8 +6,8 @@
 #include <system_error>
 #include <utility>
 
+#include <halfsilver/error.h>
 #include "apps/program.h"
-#include "core/error.h"
 #include "io/atomic_file.h"
 
 namespace halfsilver::bench {

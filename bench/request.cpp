@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <set>
 
-#include "core/error.h"
+#include <halfsilver/error.h>
 
 namespace halfsilver::bench {
 namespace {

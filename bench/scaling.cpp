@@ -7,10 +7,10 @@
 #include <string_view>
 #include <utility>
 
+#include <halfsilver/error.h>
+#include <halfsilver/io.h>
 #include "bench/scaling_report.h"
 #include "bench/scaling_scenes.h"
-#include "core/error.h"
-#include "io/settings_file.h"
 
 namespace halfsilver::bench {
 namespace {

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "scene/builtin_parts.h"
+#include "builtin/parts.h"
 
 namespace halfsilver::bench {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "scene/model.h"
+#include <halfsilver/model.h>
 
 // Scenes of as many triangles and lights as one likes, each with a camera. What the camera sees stays alike, so that
 // nothing else grows with them.

@@ -7,6 +7,9 @@
 #include <memory>
 #include <utility>
 
+#include <halfsilver/builtin.h>
+#include <halfsilver/error.h>
+#include <halfsilver/io.h>
 #include "apps/drawing.h"
 #include "bench/flicker.h"
 #include "bench/points.h"
@@ -14,10 +17,7 @@
 #include "bench/stability_report.h"
 #include "bench/tasks.h"
 #include "bench/workbench.h"
-#include "core/error.h"
 #include "io/atomic_file.h"
-#include "io/settings_file.h"
-#include "scene/failures.h"
 
 namespace halfsilver::bench {
 namespace {

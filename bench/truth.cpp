@@ -1,6 +1,6 @@
 #include "bench/truth.h"
 
-#include "io/settings_file.h"
+#include <halfsilver/io.h>
 
 namespace halfsilver::bench {
 

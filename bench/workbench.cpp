@@ -6,10 +6,9 @@
 #include <set>
 #include <utility>
 
+#include <halfsilver/error.h>
+#include <halfsilver/io.h>
 #include "apps/drawing.h"
-#include "core/error.h"
-#include "io/images.h"
-#include "io/settings_file.h"
 
 namespace halfsilver::bench {
 namespace {

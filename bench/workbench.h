@@ -6,14 +6,14 @@
 #include <string>
 #include <vector>
 
+#include <halfsilver/context.h>
+#include <halfsilver/gl/api.h>
+#include <halfsilver/model.h>
+#include <halfsilver/renderer.h>
 #include "apps/offscreen.h"
 #include "apps/statistics.h"
 #include "bench/request.h"
-#include "context/context.h"
-#include "gl/api.h"
 #include "gl/debug.h"
-#include "renderer.h"
-#include "scene/model.h"
 
 namespace halfsilver::bench {
 

@@ -11,7 +11,7 @@ if(CMAKE_SCRIPT_MODE_FILE)
     string(APPEND entries "    {\"${name}\", R\"__toml__(${text})__toml__\"},\n")
   endforeach()
   file(WRITE ${OUTPUT}
-"#include \"io/settings_file.h\"
+"#include <halfsilver/io.h>
 
 namespace halfsilver {
 namespace {

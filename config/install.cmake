@@ -1,12 +1,12 @@
 # Installs the libraries that exist, one export set and component each, and the package that finds them:
-# find_package(halfsilver COMPONENTS renderer io context exact).
+# find_package(halfsilver COMPONENTS renderer builtin io context exact).
 include(CMakePackageConfigHelpers)
 
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/halfsilver)
 set(header_folder ${CMAKE_INSTALL_INCLUDEDIR}/halfsilver)
 
 set(HALFSILVER_COMPONENTS)
-foreach(name IN ITEMS renderer io context exact)
+foreach(name IN ITEMS renderer builtin io context exact)
   if(TARGET halfsilver_${name})
     list(APPEND HALFSILVER_COMPONENTS ${name})
     install(TARGETS halfsilver_${name} EXPORT halfsilver-${name} ARCHIVE COMPONENT ${name})
@@ -14,15 +14,15 @@ foreach(name IN ITEMS renderer io context exact)
   endif()
 endforeach()
 
-# Headers keep their rooms: <halfsilver/renderer.h> includes "scene/scene.h".
-install(FILES renderer/settings.h renderer/renderer.h renderer/budget.h DESTINATION ${header_folder} COMPONENT renderer)
-install(DIRECTORY renderer/core renderer/scene renderer/gl renderer/frame DESTINATION ${header_folder}
-        COMPONENT renderer FILES_MATCHING PATTERN "*.h")
-install(FILES renderer/tracing/tracer.h DESTINATION ${header_folder}/tracing COMPONENT renderer)
+# The public headers and nothing else: those of a component with it, all others with the renderer. The structs that
+# shaders share are public, too: a tracer of the caller's own reads rays and writes hits.
+install(DIRECTORY renderer/include/halfsilver/ DESTINATION ${header_folder} COMPONENT renderer
+        FILES_MATCHING PATTERN "*.h"
+        PATTERN builtin.h EXCLUDE PATTERN io.h EXCLUDE PATTERN context.h EXCLUDE PATTERN exact.h EXCLUDE)
 install(DIRECTORY shaders/shared DESTINATION ${header_folder} COMPONENT renderer FILES_MATCHING PATTERN "*.h")
-foreach(name IN ITEMS io context exact)
+foreach(name IN ITEMS builtin io context exact)
   if(TARGET halfsilver_${name})
-    install(DIRECTORY renderer/${name} DESTINATION ${header_folder} COMPONENT ${name} FILES_MATCHING PATTERN "*.h")
+    install(FILES renderer/include/halfsilver/${name}.h DESTINATION ${header_folder} COMPONENT ${name})
   endif()
 endforeach()
 

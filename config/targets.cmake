@@ -35,8 +35,8 @@ function(halfsilver_library name)
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
   halfsilver_own_code(${target})
   target_include_directories(${target} PUBLIC
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/renderer/include>
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/renderer>
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/shaders>
-    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>
-    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/halfsilver>)
+    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
 endfunction()

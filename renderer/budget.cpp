@@ -1,10 +1,10 @@
-#include "budget.h"
+#include <halfsilver/budget.h>
 
 #include <algorithm>
 #include <cmath>
 #include <string_view>
 
-#include "frame/shared_structs.h"
+#include <halfsilver/shared_structs.h>
 
 namespace halfsilver {
 namespace {

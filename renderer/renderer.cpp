@@ -1,13 +1,15 @@
-#include "renderer.h"
+#include <halfsilver/renderer.h>
 
 #include <algorithm>
 #include <optional>
 #include <tuple>
 
-#include "core/error.h"
+#include <halfsilver/error.h>
+#include <halfsilver/tracer.h>
 #include "frame/frame_constants.h"
 #include "frame/gpu_scene.h"
 #include "frame/layers.h"
+#include "gl/framebuffer.h"
 #include "gl/state_guard.h"
 #include "passes/composite.h"
 #include "passes/gbuffer.h"
@@ -15,7 +17,6 @@
 #include "passes/shade.h"
 #include "passes/shade_hits.h"
 #include "passes/shadows.h"
-#include "tracing/tracer.h"
 
 namespace halfsilver {
 namespace {

@@ -1,10 +1,10 @@
-#include "settings.h"
+#include <halfsilver/settings.h>
 
 #include <charconv>
 #include <cmath>
 #include <type_traits>
 
-#include "core/error.h"
+#include <halfsilver/error.h>
 
 namespace halfsilver {
 namespace {

@@ -1,4 +1,4 @@
-#include "io/compare.h"
+#include <halfsilver/io.h>
 
 #include <iostream>
 #include <memory>

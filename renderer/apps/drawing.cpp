@@ -1,7 +1,7 @@
 #include "apps/drawing.h"
 
 #if HALFSILVER_EXACT
-#include "exact/exact_tracer.h"
+#include <halfsilver/exact.h>
 #endif
 
 namespace halfsilver {

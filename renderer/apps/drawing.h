@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "context/context.h"
-#include "renderer.h"
+#include <halfsilver/context.h>
+#include <halfsilver/renderer.h>
 
 // What every program that draws does alike.
 namespace halfsilver {

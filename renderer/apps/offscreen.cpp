@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string>
 
-#include "core/error.h"
+#include <halfsilver/error.h>
 
 namespace halfsilver {
 

@@ -3,10 +3,10 @@
 #include <cstdint>
 #include <vector>
 
+#include <halfsilver/gl/texture.h>
+#include <halfsilver/renderer.h>
 #include "apps/arguments.h"
 #include "gl/framebuffer.h"
-#include "gl/texture.h"
-#include "renderer.h"
 
 namespace halfsilver {
 

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <iostream>
 
+#include <halfsilver/io.h>
 #include "apps/commands.h"
-#include "io/settings_file.h"
 
 namespace halfsilver {
 namespace {

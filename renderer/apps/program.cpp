@@ -7,8 +7,8 @@
 #include <new>
 #include <string>
 
+#include <halfsilver/error.h>
 #include "apps/commands.h"
-#include "core/error.h"
 
 namespace halfsilver {
 namespace {

@@ -8,6 +8,11 @@
 #include <string>
 #include <vector>
 
+#include <halfsilver/budget.h>
+#include <halfsilver/context.h>
+#include <halfsilver/error.h>
+#include <halfsilver/io.h>
+#include <halfsilver/renderer.h>
 #include "apps/arguments.h"
 #include "apps/commands.h"
 #include "apps/drawing.h"
@@ -16,12 +21,7 @@
 #include "apps/statistics.h"
 #include "apps/view_request.h"
 #include "apps/wall_clock.h"
-#include "budget.h"
-#include "context/context.h"
-#include "core/error.h"
 #include "io/atomic_file.h"
-#include "io/images.h"
-#include "renderer.h"
 
 namespace halfsilver {
 namespace {

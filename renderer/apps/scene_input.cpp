@@ -4,9 +4,9 @@
 #include <charconv>
 #include <cmath>
 
-#include "core/error.h"
-#include "io/gltf.h"
-#include "scene/builtin.h"
+#include <halfsilver/builtin.h>
+#include <halfsilver/error.h>
+#include <halfsilver/io.h>
 
 namespace halfsilver {
 namespace {

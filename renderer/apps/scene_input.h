@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include <halfsilver/model.h>
 #include "apps/arguments.h"
-#include "scene/model.h"
 
 // Scenes and cameras as the command line names them.
 namespace halfsilver {

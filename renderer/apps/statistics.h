@@ -8,10 +8,10 @@
 #include <utility>
 #include <vector>
 
-#include "budget.h"
-#include "io/compare.h"
-#include "renderer.h"
-#include "settings.h"
+#include <halfsilver/budget.h>
+#include <halfsilver/io.h>
+#include <halfsilver/renderer.h>
+#include <halfsilver/settings.h>
 
 // What a run of `render` measured, and its two forms: the statistics file and the table.
 namespace halfsilver {

@@ -9,17 +9,17 @@
 #include <utility>
 #include <vector>
 
+#include <halfsilver/context.h>
+#include <halfsilver/error.h>
+#include <halfsilver/io.h>
+#include <halfsilver/renderer.h>
 #include "apps/commands.h"
 #include "apps/drawing.h"
 #include "apps/offscreen.h"
 #include "apps/progress.h"
 #include "apps/statistics.h"
 #include "apps/tune_report.h"
-#include "context/context.h"
-#include "core/error.h"
 #include "io/atomic_file.h"
-#include "io/compare.h"
-#include "renderer.h"
 
 namespace halfsilver {
 namespace {

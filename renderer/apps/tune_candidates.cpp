@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "core/error.h"
-#include "io/settings_file.h"
+#include <halfsilver/error.h>
+#include <halfsilver/io.h>
 
 namespace halfsilver {
 namespace {

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
+#include <halfsilver/settings.h>
 #include "apps/view_request.h"
-#include "settings.h"
 
 // What `tune` tries.
 namespace halfsilver {

@@ -4,8 +4,8 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include <halfsilver/io.h>
 #include "apps/program.h"
-#include "io/settings_file.h"
 
 namespace halfsilver {
 namespace {

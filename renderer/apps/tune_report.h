@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
+#include <halfsilver/renderer.h>
 #include "apps/pareto.h"
 #include "apps/tune_candidates.h"
-#include "renderer.h"
 
 // What `tune` found, and its two forms: the table and the configuration file.
 namespace halfsilver {

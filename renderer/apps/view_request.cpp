@@ -1,7 +1,6 @@
 #include "apps/view_request.h"
 
-#include "io/images.h"
-#include "io/settings_file.h"
+#include <halfsilver/io.h>
 
 namespace halfsilver {
 

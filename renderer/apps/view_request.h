@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
+#include <halfsilver/model.h>
+#include <halfsilver/settings.h>
 #include "apps/arguments.h"
 #include "apps/scene_input.h"
-#include "scene/model.h"
-#include "settings.h"
 
 // The options of every command that draws a view of a scene.
 namespace halfsilver {

@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "context/context.h"
+#include <halfsilver/context.h>
 
 namespace halfsilver {
 

@@ -1,9 +1,9 @@
-#include "context/context.h"
+#include <halfsilver/context.h>
 
 #include <utility>
 
+#include <halfsilver/error.h>
 #include "context/backend.h"
-#include "core/error.h"
 
 namespace halfsilver {
 

@@ -9,9 +9,9 @@
 #include <string_view>
 #include <vector>
 
+#include <halfsilver/error.h>
 #include "context/backend.h"
 #include "context/library.h"
-#include "core/error.h"
 
 namespace halfsilver {
 namespace {

@@ -5,7 +5,7 @@
 #include <initializer_list>
 #include <string>
 
-#include "core/error.h"
+#include <halfsilver/error.h>
 
 namespace halfsilver {
 

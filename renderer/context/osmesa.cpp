@@ -1,9 +1,9 @@
 #include <array>
 #include <string>
 
+#include <halfsilver/error.h>
 #include "context/backend.h"
 #include "context/library.h"
-#include "core/error.h"
 
 namespace halfsilver {
 namespace {

@@ -1,4 +1,4 @@
-#include "exact/exact_tracer.h"
+#include <halfsilver/exact.h>
 
 #include <embree3/rtcore.h>
 
@@ -9,7 +9,7 @@
 #include <string>
 #include <thread>
 
-#include "core/error.h"
+#include <halfsilver/error.h>
 #include "frame/frame_constants.h"
 #include "scene/alpha.h"
 

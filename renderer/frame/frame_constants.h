@@ -2,10 +2,10 @@
 
 #include <cstdint>
 
-#include "core/bounds.h"
-#include "frame/shared_structs.h"
-#include "scene/scene.h"
-#include "settings.h"
+#include <halfsilver/bounds.h>
+#include <halfsilver/scene.h>
+#include <halfsilver/settings.h>
+#include <halfsilver/shared_structs.h>
 
 namespace halfsilver {
 

@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 
-#include "core/error.h"
+#include <halfsilver/error.h>
+#include <halfsilver/shared_structs.h>
 #include "frame/material_textures.h"
-#include "frame/shared_structs.h"
 #include "scene/alpha.h"
 
 namespace halfsilver {

@@ -2,9 +2,9 @@
 
 #include <span>
 
-#include "frame/products.h"
-#include "scene/model.h"
-#include "scene/scene.h"
+#include <halfsilver/model.h>
+#include <halfsilver/products.h>
+#include <halfsilver/scene.h>
 
 namespace halfsilver {
 

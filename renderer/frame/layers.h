@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/image.h"
-#include "frame/products.h"
+#include <halfsilver/image.h>
+#include <halfsilver/products.h>
 
 namespace halfsilver {
 

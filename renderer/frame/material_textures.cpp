@@ -8,8 +8,8 @@
 #include <cstring>
 #include <string_view>
 
-#include "core/error.h"
-#include "frame/shared_structs.h"
+#include <halfsilver/error.h>
+#include <halfsilver/shared_structs.h>
 
 namespace halfsilver {
 namespace {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "gl/texture.h"
-#include "scene/scene.h"
+#include <halfsilver/gl/texture.h>
+#include <halfsilver/scene.h>
 
 // The scene's textures as a few 2D arrays of equal size ("buckets"), which shaders can index without bindless textures.
 namespace halfsilver {

@@ -1,4 +1,4 @@
-#include "frame/products.h"
+#include <halfsilver/products.h>
 
 namespace halfsilver {
 

@@ -1,8 +1,8 @@
-#include "gl/api.h"
+#include <halfsilver/gl/api.h>
 
 #include <algorithm>
 
-#include "core/error.h"
+#include <halfsilver/error.h>
 
 namespace halfsilver::gl {
 namespace {

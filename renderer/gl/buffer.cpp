@@ -1,9 +1,9 @@
-#include "gl/buffer.h"
+#include <halfsilver/gl/buffer.h>
 
 #include <string>
 #include <utility>
 
-#include "core/error.h"
+#include <halfsilver/error.h>
 
 namespace halfsilver::gl {
 namespace {

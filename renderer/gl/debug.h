@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "gl/api.h"
+#include <halfsilver/gl/api.h>
 
 namespace halfsilver::gl {
 

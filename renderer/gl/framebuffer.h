@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "gl/texture.h"
+#include <halfsilver/gl/texture.h>
 
 namespace halfsilver::gl {
 

@@ -1,4 +1,4 @@
-#include "gl/profiler.h"
+#include <halfsilver/gl/profiler.h>
 
 #include <algorithm>
 

@@ -5,7 +5,7 @@
 #include <sstream>
 #include <utility>
 
-#include "core/error.h"
+#include <halfsilver/error.h>
 #include "gl/shader_files.h"
 
 namespace halfsilver::gl {

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "gl/api.h"
+#include <halfsilver/gl/api.h>
 
 namespace halfsilver::gl {
 

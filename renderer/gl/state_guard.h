@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "gl/api.h"
+#include <halfsilver/gl/api.h>
 
 namespace halfsilver::gl {
 

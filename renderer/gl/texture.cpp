@@ -1,10 +1,10 @@
-#include "gl/texture.h"
+#include <halfsilver/gl/texture.h>
 
 #include <algorithm>
 #include <string>
 #include <utility>
 
-#include "core/error.h"
+#include <halfsilver/error.h>
 
 namespace halfsilver::gl {
 namespace {

@@ -9,7 +9,7 @@
 #include <system_error>
 #include <utility>
 
-#include "core/error.h"
+#include <halfsilver/error.h>
 
 namespace halfsilver {
 namespace {

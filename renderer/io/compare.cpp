@@ -1,11 +1,11 @@
-#include "io/compare.h"
+#include <halfsilver/io.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
 
-#include "core/error.h"
+#include <halfsilver/error.h>
 
 namespace halfsilver {
 namespace {

@@ -1,4 +1,4 @@
-#include "io/gltf.h"
+#include <halfsilver/io.h>
 
 #include <tiny_gltf.h>
 
@@ -7,7 +7,7 @@
 #include <limits>
 #include <new>
 
-#include "core/error.h"
+#include <halfsilver/error.h>
 #include "io/gltf_build.h"
 #include "io/gltf_check.h"
 #include "io/gltf_document.h"

@@ -1,7 +1,7 @@
 #pragma once
 
+#include <halfsilver/model.h>
 #include "io/gltf_document.h"
-#include "scene/model.h"
 
 namespace halfsilver::gltf {
 

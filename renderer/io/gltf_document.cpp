@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/error.h"
+#include <halfsilver/error.h>
 
 namespace halfsilver::gltf {
 

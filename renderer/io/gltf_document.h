@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "scene/model.h"
+#include <halfsilver/model.h>
 
 // A glTF file as plain data, free of the parser's types. Only JSON types have been checked: whoever follows an index
 // does so with get(), whoever reads a buffer does so with gltf_accessors.

@@ -1,7 +1,7 @@
 #pragma once
 
+#include <halfsilver/scene.h>
 #include "io/gltf_document.h"
-#include "scene/scene.h"
 
 namespace halfsilver::gltf {
 

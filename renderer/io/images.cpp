@@ -1,4 +1,4 @@
-#include "io/images.h"
+#include <halfsilver/io.h>
 
 #include <dlfcn.h>
 
@@ -8,7 +8,7 @@
 #include <new>
 #include <string>
 
-#include "core/error.h"
+#include <halfsilver/error.h>
 #include "io/openimageio_module.h"
 #include "io/small_codecs.h"
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "io/images.h"
+#include <halfsilver/io.h>
 
 // What images.cpp asks of the module halfsilver_openimageio, which it opens with dlopen. Both sides are built together,
 // so C++ types cross the boundary; only the two names are C.

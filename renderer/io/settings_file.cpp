@@ -1,4 +1,4 @@
-#include "io/settings_file.h"
+#include <halfsilver/io.h>
 
 #include <toml++/toml.h>
 
@@ -7,7 +7,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "core/error.h"
+#include <halfsilver/error.h>
 
 namespace halfsilver {
 namespace {

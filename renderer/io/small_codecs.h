@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "io/images.h"
+#include <halfsilver/io.h>
 
 // The codecs that are always there: stb for PNG, JPEG and HDR, tinyexr for scanline EXR.
 namespace halfsilver {

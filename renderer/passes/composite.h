@@ -2,8 +2,9 @@
 
 #include <glm/glm.hpp>
 
-#include "frame/products.h"
-#include "gl/profiler.h"
+#include <halfsilver/gl/profiler.h>
+#include <halfsilver/products.h>
+#include "gl/framebuffer.h"
 #include "gl/program.h"
 
 namespace halfsilver {

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "frame/shared_structs.h"
+#include <halfsilver/shared_structs.h>
 
 namespace halfsilver {
 namespace {

@@ -1,7 +1,8 @@
 #pragma once
 
-#include "frame/products.h"
-#include "gl/profiler.h"
+#include <halfsilver/gl/profiler.h>
+#include <halfsilver/products.h>
+#include "gl/framebuffer.h"
 #include "gl/program.h"
 
 namespace halfsilver {

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "core/bounds.h"
-#include "frame/shared_structs.h"
-#include "scene/scene.h"
+#include <halfsilver/bounds.h>
+#include <halfsilver/scene.h>
+#include <halfsilver/shared_structs.h>
 
 namespace halfsilver {
 

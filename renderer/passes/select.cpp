@@ -1,6 +1,6 @@
 #include "passes/select.h"
 
-#include "frame/shared_structs.h"
+#include <halfsilver/shared_structs.h>
 
 namespace halfsilver {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "frame/products.h"
-#include "gl/profiler.h"
+#include <halfsilver/gl/profiler.h>
+#include <halfsilver/products.h>
 #include "gl/program.h"
 
 namespace halfsilver {

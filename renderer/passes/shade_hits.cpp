@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "frame/shared_structs.h"
+#include <halfsilver/shared_structs.h>
 
 namespace halfsilver {
 

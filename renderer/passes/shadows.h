@@ -4,11 +4,12 @@
 #include <string>
 #include <vector>
 
-#include "frame/products.h"
-#include "gl/profiler.h"
+#include <halfsilver/gl/profiler.h>
+#include <halfsilver/products.h>
+#include <halfsilver/scene.h>
+#include <halfsilver/settings.h>
+#include "gl/framebuffer.h"
 #include "gl/program.h"
-#include "scene/scene.h"
-#include "settings.h"
 
 namespace halfsilver {
 

@@ -4,7 +4,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "scene/scene.h"
+#include <halfsilver/scene.h>
 
 namespace halfsilver {
 

@@ -6,7 +6,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <string>
 
-#include "core/error.h"
+#include <halfsilver/error.h>
 #include "scene/tangents.h"
 
 namespace halfsilver {

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "scene/model.h"
+#include <halfsilver/model.h>
 
 // What pose() is made of; a loader places the rest pose with the same functions.
 namespace halfsilver {

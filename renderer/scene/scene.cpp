@@ -1,4 +1,4 @@
-#include "scene/scene.h"
+#include <halfsilver/scene.h>
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "scene/scene.h"
+#include <halfsilver/scene.h>
 
 namespace halfsilver {
 

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "gl/buffer.h"
+#include <halfsilver/gl/buffer.h>
 
 namespace halfsilver {
 

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <glm/glm.hpp>
 
-#include "core/bounds.h"
+#include <halfsilver/bounds.h>
 #include "gl/program.h"
 
 namespace halfsilver {

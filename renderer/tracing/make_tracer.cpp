@@ -1,7 +1,7 @@
-#include "core/error.h"
+#include <halfsilver/error.h>
+#include <halfsilver/tracer.h>
 #include "tracing/attributes/attribute_tracer.h"
 #include "tracing/identity/identity_tracer.h"
-#include "tracing/tracer.h"
 
 namespace halfsilver {
 

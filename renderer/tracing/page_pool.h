@@ -3,10 +3,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "gl/buffer.h"
+#include <halfsilver/gl/buffer.h>
+#include <halfsilver/tracer.h>
 #include "gl/program.h"
 #include "tracing/build_counters.h"
-#include "tracing/tracer.h"
 
 namespace halfsilver {
 

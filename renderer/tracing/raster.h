@@ -1,6 +1,6 @@
 #pragma once
 
-#include "frame/products.h"
+#include <halfsilver/products.h>
 #include "gl/framebuffer.h"
 #include "gl/program.h"
 

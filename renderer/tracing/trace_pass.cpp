@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <limits>
 
-#include "frame/shared_structs.h"
+#include <halfsilver/shared_structs.h>
 
 namespace halfsilver {
 namespace {

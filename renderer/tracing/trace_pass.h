@@ -3,10 +3,11 @@
 #include <functional>
 #include <span>
 
-#include "frame/products.h"
-#include "gl/profiler.h"
+#include <halfsilver/gl/profiler.h>
+#include <halfsilver/products.h>
+#include <halfsilver/settings.h>
+#include "gl/framebuffer.h"
 #include "gl/program.h"
-#include "settings.h"
 
 namespace halfsilver {
 

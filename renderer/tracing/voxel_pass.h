@@ -1,9 +1,10 @@
 #pragma once
 
-#include "frame/products.h"
-#include "gl/profiler.h"
+#include <halfsilver/gl/profiler.h>
+#include <halfsilver/products.h>
+#include <halfsilver/settings.h>
+#include "gl/framebuffer.h"
 #include "gl/program.h"
-#include "settings.h"
 #include "tracing/grid.h"
 
 namespace halfsilver {

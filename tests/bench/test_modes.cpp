@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
+#include <halfsilver/error.h>
 #include "bench/tasks.h"
 #include "bench/workbench.h"
 #include "contract/program.h"
-#include "core/error.h"
 
 namespace halfsilver::bench {
 namespace {

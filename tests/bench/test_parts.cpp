@@ -2,13 +2,13 @@
 
 #include <fstream>
 
+#include <halfsilver/error.h>
 #include "bench/chart.h"
 #include "bench/estimate.h"
 #include "bench/memory.h"
 #include "bench/page.h"
 #include "bench/points.h"
 #include "bench/table.h"
-#include "core/error.h"
 #include "temporary_folder.h"
 
 namespace halfsilver::bench {

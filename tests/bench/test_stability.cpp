@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
+#include <halfsilver/builtin.h>
 #include "bench/flicker.h"
 #include "bench/stability_report.h"
 #include "contract/program.h"
-#include "scene/failures.h"
 
 namespace halfsilver::bench {
 namespace {

@@ -1,7 +1,7 @@
 // Draws one triangle with the installed library and checks that it is there. Exits with 77 where there is no context.
-#include <halfsilver/context/context.h>
-#include <halfsilver/core/error.h>
-#include <halfsilver/gl/framebuffer.h>
+#include <GL/glcorearb.h>
+#include <halfsilver/context.h>
+#include <halfsilver/error.h>
 #include <halfsilver/renderer.h>
 
 #include <cstdio>
@@ -29,6 +29,21 @@ halfsilver::Scene makeScene() {
   return scene;
 }
 
+// Any framebuffer object will do; without a window the caller makes one, with GL functions of its own.
+GLuint makeFramebuffer(const halfsilver::Context& context) {
+  const auto getProcAddress = context.getProcAddress();
+  const auto createTextures = reinterpret_cast<PFNGLCREATETEXTURESPROC>(getProcAddress("glCreateTextures"));
+  const auto textureStorage = reinterpret_cast<PFNGLTEXTURESTORAGE2DPROC>(getProcAddress("glTextureStorage2D"));
+  const auto createFramebuffers = reinterpret_cast<PFNGLCREATEFRAMEBUFFERSPROC>(getProcAddress("glCreateFramebuffers"));
+  const auto attach = reinterpret_cast<PFNGLNAMEDFRAMEBUFFERTEXTUREPROC>(getProcAddress("glNamedFramebufferTexture"));
+  GLuint color = 0, framebuffer = 0;
+  createTextures(GL_TEXTURE_2D, 1, &color);
+  textureStorage(color, 1, GL_RGBA8, kWidth, kHeight);
+  createFramebuffers(1, &framebuffer);
+  attach(framebuffer, GL_COLOR_ATTACHMENT0, color, 0);
+  return framebuffer;
+}
+
 glm::vec3 pixel(const halfsilver::Image& image, int x, int y) {
   const auto value = [&](const char* name) {
     const int index = (y * image.width + x) * image.channelCount() + image.channel(name);
@@ -50,12 +65,7 @@ int run() {
   halfsilver::Settings settings;
   halfsilver::set(settings, "trace.method", "identity");
 
-  // Any framebuffer object will do; without a window the caller makes one.
-  halfsilver::gl::Api gl = halfsilver::gl::Api::load(context.getProcAddress());
-  const halfsilver::gl::Texture color(gl, {.format = GL_RGBA8, .width = kWidth, .height = kHeight}, "color");
-  const halfsilver::gl::Framebuffer framebuffer(gl);
-  framebuffer.attach(GL_COLOR_ATTACHMENT0, color);
-  renderer.render(camera, settings, {framebuffer.name(), 0, 0, kWidth, kHeight});
+  renderer.render(camera, settings, {makeFramebuffer(context), 0, 0, kWidth, kHeight});
 
   const halfsilver::FrameReport report = renderer.report();
   const halfsilver::Image layers = renderer.readLayers();

@@ -10,6 +10,7 @@ run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR} -B ${WORK}/build -G ${GENERATO
     -DCMAKE_PREFIX_PATH=${WORK}/prefix -DCMAKE_BUILD_TYPE=Release)
 run(${CMAKE_COMMAND} --build ${WORK}/build)
 run(${WORK}/build/engine)
+run(${WORK}/build/headers)
 execute_process(COMMAND ${WORK}/build/consumer RESULT_VARIABLE result)
 if(result EQUAL 77)
   message("skipped: no GL context")

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "io/images.h"
+#include <halfsilver/io.h>
 #include "temporary_folder.h"
 
 // Runs the built program as a user would, in a folder of its own.

@@ -4,7 +4,7 @@
 #include <fstream>
 #include <set>
 
-#include "io/images.h"
+#include <halfsilver/io.h>
 #include "program.h"
 
 namespace halfsilver {

@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "context/context.h"
-#include "gl/api.h"
+#include <halfsilver/context.h>
+#include <halfsilver/gl/api.h>
 #include "gl/debug.h"
 
 namespace halfsilver::testing {

@@ -2,11 +2,11 @@
 
 #include <memory>
 
-#include "core/image.h"
-#include "exact/exact_tracer.h"
+#include <halfsilver/exact.h>
+#include <halfsilver/image.h>
+#include <halfsilver/renderer.h>
 #include "gl/framebuffer.h"
 #include "gpu/context_fixture.h"
-#include "renderer.h"
 
 namespace halfsilver::testing {
 

@@ -6,10 +6,10 @@
 #include <string_view>
 #include <vector>
 
-#include "frame/products.h"
-#include "gl/api.h"
-#include "gl/buffer.h"
-#include "scene/scene.h"
+#include <halfsilver/gl/api.h>
+#include <halfsilver/gl/buffer.h>
+#include <halfsilver/products.h>
+#include <halfsilver/scene.h>
 
 namespace halfsilver::testing {
 

@@ -7,11 +7,11 @@
 #include <utility>
 #include <vector>
 
-#include "context/context.h"
-#include "core/error.h"
-#include "gl/api.h"
+#include <halfsilver/context.h>
+#include <halfsilver/error.h>
+#include <halfsilver/gl/api.h>
+#include <halfsilver/gl/texture.h>
 #include "gl/framebuffer.h"
-#include "gl/texture.h"
 
 namespace halfsilver {
 namespace {

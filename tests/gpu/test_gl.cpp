@@ -9,13 +9,13 @@
 #include <utility>
 #include <vector>
 
-#include "core/error.h"
-#include "gl/buffer.h"
+#include <halfsilver/error.h>
+#include <halfsilver/gl/buffer.h>
+#include <halfsilver/gl/profiler.h>
+#include <halfsilver/gl/texture.h>
 #include "gl/framebuffer.h"
-#include "gl/profiler.h"
 #include "gl/program.h"
 #include "gl/shader_files.h"
-#include "gl/texture.h"
 #include "gpu/context_fixture.h"
 
 namespace halfsilver {

@@ -6,7 +6,7 @@
 #include <random>
 #include <set>
 
-#include "core/error.h"
+#include <halfsilver/error.h>
 #include "frame/frame_constants.h"
 #include "frame/gpu_scene.h"
 #include "frame/material_textures.h"

@@ -4,7 +4,7 @@
 #include <set>
 #include <string>
 
-#include "core/error.h"
+#include <halfsilver/error.h>
 #include "gpu/shader_function.h"
 #include "gpu/tracing_scenes.h"
 

@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "gl/buffer.h"
+#include <halfsilver/gl/buffer.h>
+#include <halfsilver/gl/texture.h>
 #include "gl/framebuffer.h"
 #include "gl/state_guard.h"
-#include "gl/texture.h"
 #include "gpu/context_fixture.h"
 
 namespace halfsilver {

@@ -3,9 +3,9 @@
 #include <set>
 #include <string>
 
+#include <halfsilver/io.h>
 #include "gpu/shader_function.h"
 #include "gpu/tracing_scenes.h"
-#include "io/settings_file.h"
 
 namespace halfsilver::testing {
 namespace {

@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <set>
 
+#include <halfsilver/io.h>
 #include "contract/program.h"
-#include "io/compare.h"
 
 namespace halfsilver {
 namespace {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <random>
 
-#include "budget.h"
-#include "frame/shared_structs.h"
+#include <halfsilver/budget.h>
+#include <halfsilver/shared_structs.h>
 
 namespace halfsilver {
 namespace {

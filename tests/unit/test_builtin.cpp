@@ -10,10 +10,10 @@
 #include <set>
 #include <tuple>
 
-#include "core/error.h"
-#include "scene/builtin.h"
-#include "scene/builtin_parts.h"
-#include "scene/builtin_random.h"
+#include <halfsilver/builtin.h>
+#include <halfsilver/error.h>
+#include "builtin/parts.h"
+#include "builtin/random.h"
 
 namespace halfsilver {
 namespace {

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <limits>
 
-#include "core/error.h"
-#include "io/compare.h"
+#include <halfsilver/error.h>
+#include <halfsilver/io.h>
 
 namespace halfsilver {
 namespace {

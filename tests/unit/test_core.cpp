@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "scene/builtin.h"
-#include "scene/core.h"
+#include <halfsilver/builtin.h>
+#include <halfsilver/scene_core.h>
 
 namespace halfsilver {
 namespace {

@@ -1,9 +1,9 @@
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 
-#include "core/error.h"
+#include <halfsilver/error.h>
+#include <halfsilver/io.h>
 #include "gltf_files.h"
-#include "io/gltf.h"
 
 // Geometry and hierarchy of glTF files with known answers.
 namespace halfsilver::testing {

@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/error.h"
+#include <halfsilver/error.h>
+#include <halfsilver/io.h>
 #include "gltf_files.h"
-#include "io/gltf.h"
 #include "scene/tangents.h"
 #include "shared_scenes.h"
 

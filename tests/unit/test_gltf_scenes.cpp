@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "io/gltf.h"
+#include <halfsilver/io.h>
 #include "shared_scenes.h"
 
 // The shared scenes, against what their README says of them.

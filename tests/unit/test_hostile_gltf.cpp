@@ -2,9 +2,9 @@
 #include <functional>
 #include <random>
 
-#include "core/error.h"
+#include <halfsilver/error.h>
+#include <halfsilver/io.h>
 #include "gltf_files.h"
-#include "io/gltf.h"
 
 // Files that are wrong in every way that could be thought of. A load either succeeds, with a model whose every index
 // is good, or throws Error (badInput) with one line; run under the address and undefined-behaviour sanitizers.

@@ -5,9 +5,9 @@
 #include <fstream>
 #include <limits>
 
-#include "core/error.h"
+#include <halfsilver/error.h>
+#include <halfsilver/io.h>
 #include "io/atomic_file.h"
-#include "io/images.h"
 #include "temporary_folder.h"
 
 namespace halfsilver {

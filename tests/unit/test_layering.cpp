@@ -22,6 +22,7 @@ const std::map<std::string, std::set<std::string>> kMayInclude = {
     {"core", {}},
     {"settings", {"core"}},
     {"scene", {"core", "shared"}},
+    {"builtin", {"core", "scene"}},
     {"gl", {"core"}},
     {"frame", {"core", "scene", "gl", "settings", "shared"}},
     {"passes", {"core", "scene", "gl", "frame", "settings", "shared"}},
@@ -31,8 +32,19 @@ const std::map<std::string, std::set<std::string>> kMayInclude = {
     {"budget", {"frame", "settings", "shared", "renderer"}},
     {"io", {"core", "scene", "settings"}},
     {"exact", {"core", "scene", "gl", "frame", "settings", "shared", "tracing"}},
-    {"apps", {"core", "scene", "gl", "settings", "renderer", "budget", "context", "io", "exact"}},
-    {"bench", {"core", "scene", "gl", "settings", "renderer", "context", "io", "apps"}},
+    {"apps", {"core", "scene", "builtin", "settings", "renderer", "budget", "context", "io", "exact", "gl"}},
+    {"bench", {"core", "scene", "builtin", "settings", "renderer", "context", "io", "apps", "gl"}},
+};
+
+// The rooms of the public headers, include/halfsilver/.
+const std::map<std::string, std::string> kPublicHeaders = {
+    {"error.h", "core"},        {"bounds.h", "core"},    {"image.h", "core"},
+    {"scene.h", "scene"},       {"model.h", "scene"},    {"scene_core.h", "scene"},
+    {"settings.h", "settings"}, {"budget.h", "budget"},  {"renderer.h", "renderer"},
+    {"products.h", "frame"},    {"tracer.h", "tracing"}, {"shared_structs.h", "frame"},
+    {"builtin.h", "builtin"},   {"io.h", "io"},          {"context.h", "context"},
+    {"exact.h", "exact"},       {"gl/api.h", "gl"},      {"gl/buffer.h", "gl"},
+    {"gl/profiler.h", "gl"},    {"gl/texture.h", "gl"},
 };
 
 struct Include {
@@ -43,23 +55,33 @@ struct Include {
 std::vector<Include> includes(const fs::path& file) {
   std::vector<Include> found;
   std::ifstream in(file);
-  const std::string start = "#include \"";
   int number = 0;
   for (std::string line; std::getline(in, line);) {
     ++number;
-    if (line.rfind(start, 0) == 0)
-      found.push_back({number, line.substr(start.size(), line.find('"', start.size()) - start.size())});
+    for (const std::string start : {"#include \"", "#include <halfsilver/"})
+      if (line.rfind(start, 0) == 0) {
+        const std::size_t from = line.find_first_of("\"<") + 1;
+        found.push_back({number, line.substr(from, line.find_first_of("\">", from) - from)});
+      }
   }
   return found;
 }
 
 // The room of a path below renderer/ or of an include; empty where it is in none.
 std::string room(const fs::path& path) {
+  std::string text = path.generic_string();
+  if (text.rfind("include/", 0) == 0) text = text.substr(8);
+  if (text.rfind("halfsilver/", 0) == 0) {
+    const auto known = kPublicHeaders.find(text.substr(11));
+    return known == kPublicHeaders.end() ? "" : known->second;
+  }
   const std::string first = path.begin() == path.end() ? "" : path.begin()->string();
   if (first != path) return kMayInclude.contains(first) || first == "shared" ? first : "";
   const std::string stem = path.stem().string();
   return stem == "settings" || stem == "renderer" || stem == "budget" ? stem : "";
 }
+
+bool isPublic(const fs::path& file) { return file.generic_string().rfind("include/", 0) == 0; }
 
 // What is wrong with an include of `included` in `file`, a path below renderer/.
 std::optional<std::string> complaint(const fs::path& file, const std::string& included) {
@@ -67,9 +89,11 @@ std::optional<std::string> complaint(const fs::path& file, const std::string& in
   if (from.empty()) return "the file is in no room";
   if (to.empty()) return "the included file is in no room";
   if (from != to && !kMayInclude.at(from).contains(to)) return from + " may not include " + to;
+  if (isPublic(file) && included.rfind("halfsilver/", 0) != 0 && to != "shared")
+    return "a public header includes public headers only";
   // A method's folder under tracing/ is for make_tracer.cpp and itself only.
   const std::string folder = fs::path(included).parent_path().string();
-  if (to == "tracing" && folder != "tracing" && file.parent_path() != folder && file != "tracing/make_tracer.cpp")
+  if (folder.rfind("tracing/", 0) == 0 && file.parent_path() != folder && file != "tracing/make_tracer.cpp")
     return "a method's folder is its own";
   return std::nullopt;
 }
@@ -105,19 +129,21 @@ TEST(Layering, IncludesPointOneWay) {
 }
 
 TEST(Layering, RulesForbidUpwardEdgesAndSisters) {
-  EXPECT_FALSE(complaint("passes/gbuffer.cpp", "frame/products.h"));
+  EXPECT_FALSE(complaint("passes/gbuffer.cpp", "halfsilver/products.h"));
   EXPECT_FALSE(complaint("tracing/make_tracer.cpp", "tracing/identity/identity_tracer.h"));
   EXPECT_FALSE(complaint("tracing/identity/identity_tracer.cpp", "tracing/grid.h"));
-  EXPECT_TRUE(complaint("core/image.h", "scene/scene.h"));
-  EXPECT_TRUE(complaint("gl/buffer.cpp", "scene/scene.h"));
-  EXPECT_TRUE(complaint("passes/gbuffer.cpp", "tracing/tracer.h"));
-  EXPECT_TRUE(complaint("io/gltf.cpp", "context/context.h"));
-  EXPECT_TRUE(complaint("io/gltf.cpp", "renderer.h"));
+  EXPECT_TRUE(complaint("include/halfsilver/image.h", "halfsilver/scene.h"));
+  EXPECT_TRUE(complaint("gl/buffer.cpp", "halfsilver/scene.h"));
+  EXPECT_TRUE(complaint("passes/gbuffer.cpp", "halfsilver/tracer.h"));
+  EXPECT_TRUE(complaint("io/gltf.cpp", "halfsilver/context.h"));
+  EXPECT_TRUE(complaint("io/gltf.cpp", "halfsilver/renderer.h"));
   EXPECT_TRUE(complaint("tracing/attributes/attribute_tracer.cpp", "tracing/identity/identity_tracer.h"));
   EXPECT_TRUE(complaint("io/gltf.cpp", "apps/commands.h"));
   EXPECT_TRUE(complaint("apps/render.cpp", "bench/table.h"));
   EXPECT_TRUE(complaint("bench/memory.cpp", "passes/gbuffer.h"));
   EXPECT_TRUE(complaint("gl/buffer.cpp", "nowhere.h"));
+  EXPECT_TRUE(complaint("gl/buffer.cpp", "halfsilver/nowhere.h"));
+  EXPECT_TRUE(complaint("include/halfsilver/renderer.h", "gl/program.h"));
 }
 
 // Heavy libraries and windows stay where they are: each header in one room, or in one file.

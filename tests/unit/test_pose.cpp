@@ -2,9 +2,9 @@
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "core/error.h"
+#include <halfsilver/error.h>
+#include <halfsilver/io.h>
 #include "gltf_files.h"
-#include "io/gltf.h"
 #include "shared_scenes.h"
 
 namespace halfsilver::testing {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "core/error.h"
-#include "settings.h"
+#include <halfsilver/error.h>
+#include <halfsilver/settings.h>
 
 namespace halfsilver {
 namespace {

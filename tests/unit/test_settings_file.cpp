@@ -4,8 +4,8 @@
 #include <fstream>
 #include <map>
 
-#include "core/error.h"
-#include "io/settings_file.h"
+#include <halfsilver/error.h>
+#include <halfsilver/io.h>
 #include "temporary_folder.h"
 
 namespace halfsilver {

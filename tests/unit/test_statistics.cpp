@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <halfsilver/error.h>
 #include "apps/arguments.h"
-#include "core/error.h"
 
 namespace halfsilver {
 namespace {

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <set>
 
+#include <halfsilver/error.h>
+#include <halfsilver/io.h>
 #include "apps/tune_candidates.h"
 #include "apps/tune_report.h"
-#include "core/error.h"
-#include "io/settings_file.h"
 
 namespace halfsilver {
 namespace {

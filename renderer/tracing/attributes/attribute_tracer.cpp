@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "core/error.h"
+#include <halfsilver/error.h>
 #include "shared/tracing.h"
 #include "tracing/raster.h"
 

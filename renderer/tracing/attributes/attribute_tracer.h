@@ -1,11 +1,12 @@
 #pragma once
 
+#include <halfsilver/settings.h>
+#include <halfsilver/tracer.h>
+#include "gl/framebuffer.h"
 #include "gl/texel_buffer.h"
-#include "settings.h"
 #include "tracing/grid.h"
 #include "tracing/page_pool.h"
 #include "tracing/trace_pass.h"
-#include "tracing/tracer.h"
 #include "tracing/voxel_pass.h"
 
 namespace halfsilver {

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "frame/shared_structs.h"
+#include <halfsilver/shared_structs.h>
 #include "shared/tracing.h"
 #include "tracing/raster.h"
 

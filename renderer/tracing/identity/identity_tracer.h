@@ -2,12 +2,13 @@
 
 #include <optional>
 
-#include "settings.h"
+#include <halfsilver/settings.h>
+#include <halfsilver/tracer.h>
+#include "gl/framebuffer.h"
 #include "tracing/build_counters.h"
 #include "tracing/grid.h"
 #include "tracing/identity/prefix_sum.h"
 #include "tracing/trace_pass.h"
-#include "tracing/tracer.h"
 #include "tracing/voxel_pass.h"
 
 namespace halfsilver {

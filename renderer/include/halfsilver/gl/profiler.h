@@ -1,0 +1,75 @@
+#pragma once
+
+#include <chrono>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <halfsilver/gl/api.h>
+
+namespace halfsilver::gl {
+
+struct SectionTime {
+  std::string name;
+  double milliseconds = 0;  // negative: the driver's answer was absurd and has been rejected
+};
+
+// Named GPU sections: one name feeds the timer, the debug group and the statistics. Sections may nest; a name that
+// occurs twice in a frame is summed.
+class Profiler {
+ public:
+  explicit Profiler(const Api& api) : api_(&api) {}
+  ~Profiler();
+  Profiler(const Profiler&) = delete;
+  Profiler& operator=(const Profiler&) = delete;
+
+  class Scope {
+   public:
+    Scope(Profiler& profiler, std::string_view name);
+    ~Scope();
+    Scope(const Scope&) = delete;
+    Scope& operator=(const Scope&) = delete;
+
+   private:
+    Profiler& profiler_;
+    std::size_t index_;
+  };
+  // Ends with the returned object's lifetime.
+  [[nodiscard]] Scope section(std::string_view name) { return Scope(*this, name); }
+
+  // The same for work on the host: waits for the GPU, then takes the host's clock.
+  class HostScope {
+   public:
+    HostScope(Profiler& profiler, std::string_view name);
+    ~HostScope();
+    HostScope(const HostScope&) = delete;
+    HostScope& operator=(const HostScope&) = delete;
+
+   private:
+    Profiler& profiler_;
+    std::size_t index_;
+    std::chrono::steady_clock::time_point begin_;
+  };
+  [[nodiscard]] HostScope hostSection(std::string_view name) { return HostScope(*this, name); }
+
+  // Forgets the sections since the last collect() without waiting for them.
+  void discard();
+
+  // Times of all sections since the last call, in order of their first begin. Waits for the GPU.
+  std::vector<SectionTime> collect();
+
+ private:
+  struct Entry {
+    std::string name;
+    GLuint begin = 0, end = 0;  // queries; 0 for work on the host
+    double hostMilliseconds = 0;
+  };
+  GLuint stamp();
+  double elapsed(const Entry& entry);
+
+  const Api* api_;
+  std::vector<Entry> entries_;
+  std::vector<GLuint> free_;
+};
+
+}  // namespace halfsilver::gl

@@ -1,0 +1,127 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <halfsilver/image.h>
+#include <halfsilver/model.h>
+#include <halfsilver/scene.h>
+#include <halfsilver/settings.h>
+
+// halfsilver::io: scenes, images and settings files.
+namespace halfsilver {
+
+// Reads a glTF 2.0 scene (.gltf or .glb, told apart by content) with everything that it names, flattened at rest.
+// What could not be taken as it stands is said in Model::warnings. Throws Error (badInput), "file: what: where", for
+// anything unusable; no input makes it crash or allocate without bound.
+// Source: the glTF 2.0 specification of the Khronos Group.
+Model loadGltf(const std::filesystem::path& file);
+
+// Images in and out. stb reads and writes PNG and reads JPEG and HDR, tinyexr writes EXR. OpenImageIO, where the
+// project is built with it, reads EXR and all other formats and compares perceptually; because its 260 shared libraries
+// cost a quarter of a second to load, it sits in a module that is opened on first use (see openimageio_module.h).
+// Without it tinyexr reads EXR, too.
+
+struct ImageFile {
+  // Channels have the file's names; a picture without names has R G B A, or Y A for grey.
+  Image image;
+  bool linear = false;  // EXR and HDR: linear radiance. Otherwise display values 0..1, as stored.
+  // Attribute "halfsilver:diagonal" of a layers file: the scene's diagonal in metres.
+  std::optional<double> diagonal;
+};
+
+// Throws Error (badInput) with one line when the file is missing, does not decode or is larger than 2^30 values.
+ImageFile readImage(const std::filesystem::path& file);
+
+// 8-bit RGBA, rows from the top. `rgba` holds width * height * 4 bytes.
+std::vector<std::byte> encodePng(int width, int height, std::span<const std::uint8_t> rgba);
+
+// All channels as 32-bit floats under their names, ZIP-compressed; `diagonal` as above.
+// Throws Error (failed) where the format cannot hold the image.
+std::vector<std::byte> encodeExr(const Image& image, std::optional<double> diagonal = {});
+
+// Reads an equirectangular image (HDR, EXR; a display format is linearized) as the sky's. Errors as readImage.
+// Returns how many values had to be brought into 0..65504: not a number, negative or brighter.
+std::size_t readSky(const std::filesystem::path& file, Sky& sky);
+
+struct PerceptualDifference {
+  std::uint64_t failures = 0;  // pixels
+  double fraction = 0;         // of all pixels
+};
+
+// OpenImageIO's comparison after Yee et al. 2001, with its own defaults, on RGB values as they are. Both images have
+// the same size and the channels R G B. Nothing where OpenImageIO is not at hand.
+std::optional<PerceptualDifference> comparePerceptually(const Image& image, const Image& reference);
+
+// Settings in TOML: sections and keys are the settings' names ([voxels] resolution = 64). A file names only what it
+// changes. The presets are the files config/<name>.toml, embedded in the library.
+
+// Applies a text to the settings. `name` stands for the file in messages. Throws Error (badInput) with
+// "name:line: what" for a syntax error, an unknown key, a value of the wrong type or out of range; the settings are
+// then unchanged.
+void applySettingsText(Settings& settings, std::string_view text, const std::string& name);
+
+// As above from a file; also throws Error (badInput) when it cannot be read.
+void applySettingsFile(Settings& settings, const std::filesystem::path& file);
+
+// The text that makes these settings out of the defaults: what differs from them, and what `always` names in any case.
+std::string settingsText(const Settings& settings, std::span<const std::string> always = {});
+
+struct Preset {
+  std::string name;
+  std::string description;                                  // one line, the first comment of the file
+  std::vector<std::pair<std::string, std::string>> values;  // what differs from the defaults: name, value
+};
+
+// All presets, sorted by name.
+std::vector<Preset> presets();
+
+// Throws Error (usage) for an unknown name, listing the known ones.
+void applyPreset(Settings& settings, std::string_view name);
+
+struct PresetFile {
+  std::string_view name;  // without ".toml"
+  std::string_view text;
+};
+
+// All files config/*.toml, embedded by the build (config/embed_presets.cmake).
+std::span<const PresetFile> presetFiles();
+
+// How far an image is from a reference.
+
+// Of layer files. All are shares of the pixels selected in either file (0 where there are none); a pixel is hit where
+// its hit.T is at least 0.
+struct LayerComparison {
+  std::uint64_t pixels = 0;     // selected in either file
+  double hitError = 0;          // hit in one file only, or hit.T further apart than 0.1 % of the scene's diagonal
+  double falseMiss = 0;         // hit in the reference only
+  double falseHit = 0;          // hit in the image only
+  double wrongId = 0;           // hit in both, hit.id differs
+  double selectedMismatch = 0;  // selected in one file only
+  double overflow = 0;          // given up (hit.T -3) in the image
+};
+
+struct Comparison {
+  double rmse = 0;      // over R, G, B of all pixels, in the files' own values (PNG: display values 0..1)
+  double psnrDb = 0;    // 20 log10(peak / rmse), peak = the larger of 1 and the largest value; infinite when equal
+  double maxError = 0;  // largest difference of one channel
+  std::optional<PerceptualDifference> perceptual;
+  std::optional<LayerComparison> layers;  // where both files have the channels selected.Y, hit.T and hit.id
+};
+
+// `diagonal` in metres. Throws Error (badInput) where the sizes differ or a channel is missing.
+LayerComparison compareLayers(const Image& image, const Image& reference, double diagonal);
+
+// `diagonal` (metres) overrides what the files say. Throws Error: badInput where the sizes differ, a file has no colour
+// or holds values that are not finite, or the files' diagonals differ; usage where layers are compared and no diagonal
+// is known.
+Comparison compareImages(const ImageFile& image, const ImageFile& reference, std::optional<double> diagonal = {});
+
+}  // namespace halfsilver

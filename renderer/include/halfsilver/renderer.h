@@ -1,0 +1,103 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <halfsilver/image.h>
+#include <halfsilver/model.h>
+#include <halfsilver/scene.h>
+#include <halfsilver/settings.h>
+
+// The public class. Everything here throws halfsilver::Error and nothing else on purpose.
+namespace halfsilver {
+
+class Tracer;
+namespace gl {
+struct Api;
+}
+using TracerFactory = std::function<std::unique_ptr<Tracer>(const gl::Api&, const Settings&)>;
+
+// A rectangle of a framebuffer that the caller owns (0: the default framebuffer). Row 0 is the bottom, as in GL.
+struct Target {
+  unsigned framebuffer = 0;
+  int x = 0, y = 0;
+  int width = 0, height = 0;
+};
+
+struct StageTime {
+  std::string stage;  // "shadow", "gbuffer", "select", "voxelize", "build", "trace", "shade", "composite", "frame"
+  double milliseconds = 0;  // GPU time; negative where the driver's answer was rejected
+};
+
+struct MemoryReport {  // bytes, counts where named so
+  std::uint64_t voxels = 0, heads = 0, poolReserved = 0, poolUsed = 0;
+  std::uint64_t fragments = 0, fragmentsStored = 0;  // counts
+  std::uint64_t fragmentsPerAxis[3] = {0, 0, 0};     // counts, stored
+  int grid[3] = {0, 0, 0};                           // voxels along each axis
+  double bytesPerFragment = 0;
+  std::uint64_t structureTotal = 0;
+  std::uint64_t gbuffer = 0;
+  std::uint64_t peak = 0;  // all GPU memory that the renderer held at once
+};
+
+struct FrameReport {
+  std::uint64_t pixels = 0;
+  std::uint64_t reflecting = 0;  // pixels that select.mode takes
+  std::uint64_t selected = 0;    // of these, pixels that are traced
+  std::vector<std::uint32_t>
+      contributions;  // reflecting pixels of select.fraction by contribution, in classes of equal ratio
+  std::vector<StageTime> times;
+  MemoryReport memory;
+  std::uint64_t overflow = 0;       // rays given up
+  std::uint64_t lostFragments = 0;  // fragments that the structure could not hold
+  std::vector<std::string> warnings;
+};
+
+struct DeviceInfo {
+  std::string vendor, renderer, version;
+  bool software = false;
+};
+
+// Draws scenes with selective ray-traced reflections. Use with one current GL 4.5 core context, the same from
+// construction to destruction. Each call leaves the GL state that it touches as it found it.
+class Renderer {
+ public:
+  using Proc = void (*)();
+  // `getProcAddress` is the context's. `exact` enables Method::exact (see halfsilver::exact).
+  // Throws Error (noContext) naming what the context lacks.
+  explicit Renderer(const std::function<Proc(const char*)>& getProcAddress, TracerFactory exact = {});
+  ~Renderer();
+  Renderer(Renderer&&) noexcept;
+  Renderer& operator=(Renderer&&) noexcept;
+
+  DeviceInfo device() const;
+
+  // Uploads the whole scene; the caller's copy is not kept.
+  void setScene(const Scene& scene);
+  // Uploads moved vertices of the scene that was set; triangles, materials and counts are unchanged.
+  void updateVertices(const Scene& scene, std::span<const VertexRange> ranges);
+
+  // Forgets what methods keep from frame to frame (abuffer.keep): the next frame builds what its own rays need.
+  void forgetStructures();
+
+  // Draws one frame into the target at the target's size. Camera is relative to Scene::origin. Waits for the
+  // GPU's counts of what a method has to build (see tracing/README.md).
+  void render(const Camera& camera, const Settings& settings, const Target& target);
+
+  // What the last frame took and held. Waits for the GPU.
+  FrameReport report();
+
+  // The last frame as the layers of the contract (R G B A, depth.Z, normal.X/Y/Z, reflectivity.Y, selected.Y, hit.T,
+  // hit.id, hit.nx/ny/nz, reflection.R/G/B), rows from the top. Waits for the GPU.
+  Image readLayers() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace halfsilver

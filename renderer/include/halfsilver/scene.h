@@ -1,0 +1,147 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <halfsilver/bounds.h>
+
+// What the renderer draws: world-space triangles with materials, lights and a sky. glTF's conventions: right-handed,
+// y up, metres, counter-clockwise front faces, linear RGB radiometry.
+//
+// Positions are stored as floats relative to Scene::origin (a double, in world units), so that a scene far from the
+// world's origin keeps its precision. Everything positional in a Scene (vertices, lights, cameras) is relative to it.
+namespace halfsilver {
+
+struct Vertex {
+  glm::vec3 position{0};          // relative to Scene::origin
+  glm::vec3 normal{0, 1, 0};      // unit
+  glm::vec4 tangent{1, 0, 0, 1};  // unit xyz; w is the bitangent's sign
+  std::array<glm::vec2, 2> uv{glm::vec2(0), glm::vec2(0)};
+  glm::vec4 color{1};  // linear, multiplies the base colour
+};
+
+struct Triangle {
+  std::array<std::uint32_t, 3> vertices{};  // into Scene::vertices, counter-clockwise seen from the front
+  std::uint32_t material = 0;               // into Scene::materials
+};
+
+// 8-bit RGBA texels, rows from the top (v = 0 is the top row, as in glTF).
+struct Texture {
+  std::string name;
+  int width = 0;
+  int height = 0;
+  bool srgb = false;  // RGB are sRGB-encoded (base colour, emissive); alpha is always linear
+  std::vector<std::uint8_t> texels;
+};
+
+enum class Wrap { repeat, mirror, clamp };
+enum class Filter { nearest, linear };
+
+// A use of a texture by a material; `texture` < 0 means none.
+struct TextureUse {
+  int texture = -1;
+  int uvSet = 0;  // 0 or 1
+  // KHR_texture_transform: uv' = (row0 . (u, v, 1), row1 . (u, v, 1)).
+  std::array<glm::vec3, 2> transform{glm::vec3(1, 0, 0), glm::vec3(0, 1, 0)};
+  Wrap wrapU = Wrap::repeat;
+  Wrap wrapV = Wrap::repeat;
+  Filter magnify = Filter::linear;
+  Filter minify = Filter::linear;
+  bool mipmaps = true;
+};
+
+enum class AlphaMode {
+  opaque,
+  mask,  // cut where the base colour's alpha is below alphaCutoff
+  blend  // drawn without blending: cut where the alpha of texture times vertex colour is below a half (the factor is
+         // ignored, so that plain glass stays visible)
+};
+
+// glTF metallic-roughness with KHR_materials_ior, _specular, _emissive_strength and _unlit.
+struct Material {
+  std::string name;
+  glm::vec4 baseColor{1};
+  glm::vec3 emissive{0};  // factor times strength
+  float metallic = 1;
+  float roughness = 1;
+  float normalScale = 1;
+  float occlusionStrength = 1;
+  float ior = 1.5f;
+  float specular = 1;
+  glm::vec3 specularColor{1};
+  float alphaCutoff = 0.5f;
+  AlphaMode alphaMode = AlphaMode::opaque;
+  bool doubleSided = false;
+  bool unlit = false;
+  // Overrides the reflectance at normal incidence (roughness 0, no normal map); see --mirror.
+  std::optional<float> mirror;
+
+  TextureUse baseColorTexture;          // sRGB
+  TextureUse metallicRoughnessTexture;  // g roughness, b metallic
+  TextureUse normalTexture;
+  TextureUse occlusionTexture;      // r
+  TextureUse emissiveTexture;       // sRGB
+  TextureUse specularTexture;       // a
+  TextureUse specularColorTexture;  // sRGB
+};
+
+enum class LightType { directional, point, spot };
+
+struct Light {
+  LightType type = LightType::directional;
+  glm::vec3 position{0};          // relative to Scene::origin; point and spot
+  glm::vec3 direction{0, -1, 0};  // unit, the way the light travels; directional and spot
+  glm::vec3 color{1};             // linear
+  float intensity = 1;            // lux for directional, candela for point and spot
+  float range = 0;                // 0: unlimited
+  float innerConeAngle = 0;       // radians, half angle
+  float outerConeAngle = 0.7853982f;
+};
+
+// Radiance from outside the scene: an equirectangular image where there is one, or a vertical gradient.
+struct Sky {
+  glm::vec3 zenith{0.35f, 0.55f, 0.95f};
+  glm::vec3 horizon{0.80f, 0.87f, 0.95f};
+  glm::vec3 ground{0.30f, 0.28f, 0.26f};
+  float intensity = 1;  // multiplies gradient and image alike
+  // Linear RGB, three floats a texel, rows from the top (up); u = 0.5 + atan2(x, -z) / 2 pi; empty: the gradient.
+  int imageWidth = 0;
+  int imageHeight = 0;
+  std::vector<float> image;
+};
+
+struct Camera {
+  std::string name;
+  glm::vec3 eye{0, 0, 1};  // relative to Scene::origin
+  glm::vec3 target{0};
+  glm::vec3 up{0, 1, 0};
+  float verticalFov = 0.8726646f;  // radians
+  // Distances to the clipping planes in metres; 0: chosen from the scene's bounds.
+  float nearPlane = 0;
+  float farPlane = 0;
+};
+
+struct Scene {
+  std::string name;
+  glm::dvec3 origin{0};  // world position of the relative coordinates' zero
+  std::vector<Vertex> vertices;
+  std::vector<Triangle> triangles;  // the flattened order: the triangle's number everywhere in the project
+  std::vector<Material> materials;  // never empty where there are triangles
+  std::vector<std::shared_ptr<const Texture>> textures;
+  std::vector<Light> lights;
+  std::vector<Camera> cameras;
+  Sky sky;
+
+  // Bounds of the vertices that triangles use.
+  Bounds bounds() const;
+};
+
+// A camera that sees the whole of the bounds from a little above and to the side.
+Camera frameAll(const Bounds& bounds);
+
+}  // namespace halfsilver

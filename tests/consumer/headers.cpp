@@ -1,0 +1,27 @@
+// Every public header compiles by itself, and macros of the shaders' structs stay out of what an engine includes.
+#include <halfsilver/budget.h>
+#include <halfsilver/builtin.h>
+#include <halfsilver/context.h>
+#include <halfsilver/error.h>
+#include <halfsilver/io.h>
+#include <halfsilver/model.h>
+#include <halfsilver/renderer.h>
+#include <halfsilver/scene.h>
+#include <halfsilver/settings.h>
+
+#ifdef NO_TRIANGLE
+#error "a public header of the renderer's users includes the shaders' structs"
+#endif
+
+#include <halfsilver/tracer.h>
+
+// A tracer that finds nothing can be written with the public headers alone.
+class Blind final : public halfsilver::Tracer {
+ public:
+  void build(const halfsilver::GpuScene&, const halfsilver::RayQueue&, halfsilver::gl::Profiler&) override {}
+  void trace(const halfsilver::GpuScene&, const halfsilver::RayQueue&, halfsilver::Hits&,
+             halfsilver::gl::Profiler&) override {}
+  halfsilver::TracerMemory memory() const override { return {}; }
+};
+
+int main() { return Blind().lostFragments() == 0 ? 0 : 1; }
