@@ -10,12 +10,17 @@ namespace {
 
 constexpr GLint64 kTexelBytes = 16;
 
+GLbitfield storageFlags(BufferUse use) {
+  return use == BufferUse::readback
+             ? GL_MAP_READ_BIT | GL_MAP_PERSISTENT_BIT | GL_MAP_COHERENT_BIT | GL_CLIENT_STORAGE_BIT
+             : GL_DYNAMIC_STORAGE_BIT;
+}
+
 }  // namespace
 
 Buffer::Buffer(const Api& api, std::size_t bytes, const char* label, BufferUse use) : api_(&api), bytes_(bytes) {
   if (bytes == 0) return;
-  const GLint64 limit =
-      use == BufferUse::storage ? api.limits.storageBlockBytes : api.limits.bufferTexels * kTexelBytes;
+  const GLint64 limit = use == BufferUse::texels ? api.limits.bufferTexels * kTexelBytes : api.limits.storageBlockBytes;
   if (static_cast<GLint64>(bytes) > limit)
     throw Error(ErrorKind::failed, std::string("the ") + label + " buffer needs " + std::to_string(bytes >> 20) +
                                        " MiB, the device's limit for one buffer is " + std::to_string(limit >> 20) +
@@ -23,7 +28,7 @@ Buffer::Buffer(const Api& api, std::size_t bytes, const char* label, BufferUse u
   while (api.GetError() != GL_NO_ERROR) {
   }
   api.CreateBuffers(1, &name_);
-  api.NamedBufferStorage(name_, static_cast<GLsizeiptr>(bytes), nullptr, GL_DYNAMIC_STORAGE_BIT);
+  api.NamedBufferStorage(name_, static_cast<GLsizeiptr>(bytes), nullptr, storageFlags(use));
   if (api.GetError() == GL_OUT_OF_MEMORY) {
     api.DeleteBuffers(1, &name_);
     name_ = 0;

@@ -2,7 +2,9 @@
 
 #include <GL/glcorearb.h>
 
+#include <cstdint>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -64,6 +66,10 @@ using GetProcAddress = std::function<Proc(const char* name)>;
   X(PFNGLCLEARNAMEDBUFFERDATAPROC, ClearNamedBufferData)                 \
   X(PFNGLCLEARNAMEDBUFFERSUBDATAPROC, ClearNamedBufferSubData)           \
   X(PFNGLCOPYNAMEDBUFFERSUBDATAPROC, CopyNamedBufferSubData)             \
+  X(PFNGLMAPNAMEDBUFFERRANGEPROC, MapNamedBufferRange)                   \
+  X(PFNGLFENCESYNCPROC, FenceSync)                                       \
+  X(PFNGLDELETESYNCPROC, DeleteSync)                                     \
+  X(PFNGLCLIENTWAITSYNCPROC, ClientWaitSync)                             \
   X(PFNGLBINDBUFFERPROC, BindBuffer)                                     \
   X(PFNGLBINDBUFFERBASEPROC, BindBufferBase)                             \
   X(PFNGLBINDBUFFERRANGEPROC, BindBufferRange)                           \
@@ -162,6 +168,9 @@ struct Api {
   Limits limits;
   std::string vendor, renderer, version;
   bool software = false;  // a software rasterizer: the loop limit of its shaders applies (see tracing)
+
+  // How often the host has been made to wait for the GPU (see gl/readback.h). Copies of the table share the count.
+  std::shared_ptr<std::uint64_t> hostWaits = std::make_shared<std::uint64_t>(0);
 
   // Fills the table from the current context. Throws Error (noContext) that names a missing function, a version
   // below 4.5 or a limit that is too small for the project.

@@ -11,14 +11,15 @@ namespace halfsilver::gl {
 
 enum class BufferUse {
   storage,  // bound as a shader storage block
-  texels    // read and written through a buffer texture of 16-byte texels
+  texels,   // read and written through a buffer texture of 16-byte texels
+  readback  // written by copies, read by the host through mapped memory (see gl/readback.h)
 };
 
 // A GPU buffer of fixed size. Move-only; owns its GL name. An empty buffer (size 0) owns nothing.
 class Buffer {
  public:
   Buffer() = default;
-  // Uninitialised contents. Throws Error (failed) where the size is beyond the device's limit for the use or the
+  // Uninitialized contents. Throws Error (failed) if the size is beyond the device's limit for the use or the
   // driver has no memory left; `label` names the buffer in messages and debuggers.
   Buffer(const Api& api, std::size_t bytes, const char* label, BufferUse use = BufferUse::storage);
   ~Buffer();
@@ -60,7 +61,7 @@ class Buffer {
   std::size_t bytes_ = 0;
 };
 
-// A buffer with the values as contents; one element of zeros where there are none, so that it can be bound.
+// A buffer with the values as contents; one element of zeros if there are none, so that it can be bound.
 template <class T>
 Buffer makeBuffer(const Api& api, std::span<const T> values, const char* label) {
   Buffer buffer(api, values.empty() ? sizeof(T) : values.size_bytes(), label);
