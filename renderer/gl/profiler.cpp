@@ -1,6 +1,7 @@
 #include <halfsilver/gl/profiler.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace halfsilver::gl {
 namespace {
@@ -13,6 +14,16 @@ constexpr double kAbsurdMilliseconds = 3600.0 * 1000.0;
 Profiler::~Profiler() {
   discard();
   if (!free_.empty()) api_->DeleteQueries(static_cast<GLsizei>(free_.size()), free_.data());
+}
+
+Profiler::Profiler(Profiler&& other) noexcept
+    : api_(other.api_), entries_(std::exchange(other.entries_, {})), free_(std::exchange(other.free_, {})) {}
+
+Profiler& Profiler::operator=(Profiler&& other) noexcept {
+  std::swap(api_, other.api_);
+  std::swap(entries_, other.entries_);
+  std::swap(free_, other.free_);
+  return *this;
 }
 
 GLuint Profiler::stamp() {
@@ -55,6 +66,18 @@ void Profiler::discard() {
   for (const Entry& entry : entries_)
     if (entry.begin != 0) free_.insert(free_.end(), {entry.begin, entry.end});
   entries_.clear();
+}
+
+bool Profiler::arrived(GLuint query) const {
+  GLuint64 available = GL_FALSE;
+  api_->GetQueryObjectui64v(query, GL_QUERY_RESULT_AVAILABLE, &available);
+  return available == GL_TRUE;
+}
+
+bool Profiler::ready() const {
+  return std::all_of(entries_.begin(), entries_.end(), [this](const Entry& entry) {
+    return entry.begin == 0 || (entry.end != 0 && arrived(entry.begin) && arrived(entry.end));
+  });
 }
 
 double Profiler::elapsed(const Entry& entry) {

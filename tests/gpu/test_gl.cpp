@@ -158,5 +158,36 @@ TEST_F(Gl, ProfilerTimesNamedSections) {
   EXPECT_TRUE(profiler.collect().empty());
 }
 
+TEST_F(Gl, ProfilersTimeOneFrameEach) {
+  std::vector<gl::Profiler> frames;
+  for (int i = 0; i < 3; ++i) frames.emplace_back(api);
+  const auto draw = [this](gl::Profiler& profiler, const std::string& name) {
+    const auto section = profiler.section(name);
+    gl::Buffer(api, 1 << 16, "scratch").fill(1);
+    EXPECT_FALSE(profiler.ready()) << "the section is open";
+  };
+  for (int frame = 0; frame < 9; ++frame) {
+    gl::Profiler& profiler = frames[static_cast<std::size_t>(frame % 3)];
+    if (frame >= 3) {
+      for (int i = 0; i < 1'000'000 && !profiler.ready(); ++i) {
+      }
+      ASSERT_TRUE(profiler.ready()) << "times must arrive without a wait";
+      const std::vector<gl::SectionTime> times = profiler.collect();
+      ASSERT_EQ(times.size(), 1u);
+      EXPECT_EQ(times[0].name, "frame " + std::to_string(frame - 3));
+      EXPECT_GT(times[0].milliseconds, 0);
+    }
+    draw(profiler, "frame " + std::to_string(frame));
+  }
+}
+
+TEST_F(Gl, HostSectionsAreReadyAtOnce) {
+  gl::Profiler profiler(api);
+  EXPECT_TRUE(profiler.ready());
+  { const auto section = profiler.hostSection("host"); }
+  EXPECT_TRUE(profiler.ready());
+  EXPECT_EQ(profiler.collect().size(), 1u);
+}
+
 }  // namespace
 }  // namespace halfsilver

@@ -11,15 +11,21 @@ namespace halfsilver::gl {
 
 struct SectionTime {
   std::string name;
-  double milliseconds = 0;  // negative: the driver's answer was absurd and has been rejected
+  double milliseconds = 0;  // negative: the driver's answer was absurd and was rejected
 };
 
-// Named GPU sections: one name feeds the timer, the debug group and the statistics. Sections may nest; a name that
-// occurs twice in a frame is summed.
+// Named GPU sections: one name feeds the timer, the debug group and the statistics. Sections may nest; the times of a
+// name that occurs twice are summed.
+//
+// The sections belong to this object alone, so a renderer with several frames in flight keeps one profiler for each:
+// it collects the times of an earlier frame once they are ready, while the next frame's are being recorded. Move-only;
+// must not be moved while a section is open.
 class Profiler {
  public:
   explicit Profiler(const Api& api) : api_(&api) {}
   ~Profiler();
+  Profiler(Profiler&& other) noexcept;
+  Profiler& operator=(Profiler&& other) noexcept;
   Profiler(const Profiler&) = delete;
   Profiler& operator=(const Profiler&) = delete;
 
@@ -55,7 +61,10 @@ class Profiler {
   // Forgets the sections since the last collect() without waiting for them.
   void discard();
 
-  // Times of all sections since the last call, in order of their first begin. Waits for the GPU.
+  // Whether all sections since the last collect() have ended and their times have arrived. Never waits.
+  bool ready() const;
+
+  // Times of all sections since the last call, in order of their first begin. Waits for the GPU unless ready().
   std::vector<SectionTime> collect();
 
  private:
@@ -65,6 +74,7 @@ class Profiler {
     double hostMilliseconds = 0;
   };
   GLuint stamp();
+  bool arrived(GLuint query) const;
   double elapsed(const Entry& entry);
 
   const Api* api_;
