@@ -1,11 +1,13 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <limits>
 #include <string>
 #include <vector>
 
 #include <halfsilver/gl/buffer.h>
 #include <halfsilver/gl/texture.h>
+#include "gl/draw_state.h"
 #include "gl/framebuffer.h"
 #include "gl/state_guard.h"
 #include "gpu/context_fixture.h"
@@ -242,6 +244,46 @@ TEST_F(StateGuardTest, RestoresTheInitialState) {
     scramble(3);
   }
   EXPECT_EQ(before.lines(), Snapshot(api).lines());
+}
+
+TEST_F(StateGuardTest, DrawStateIsWhatItsNamesSay) {
+  scramble(3);
+  gl::DrawState{.viewport = {1, 2, 3, 4},
+                .depthTest = true,
+                .depthFunction = GL_GREATER,
+                .depthWrite = true,
+                .clipDepth = GL_ZERO_TO_ONE,
+                .cullFaces = true,
+                .culledFace = GL_FRONT,
+                .frontFace = GL_CW,
+                .colorWrite = false}
+      .apply(api);
+  const auto integer = [this](GLenum name) {
+    std::array<GLint, 4> values{};
+    api.GetIntegerv(name, values.data());
+    return values;
+  };
+  EXPECT_EQ(integer(GL_VIEWPORT), (std::array<GLint, 4>{1, 2, 3, 4}));
+  EXPECT_EQ(integer(GL_DEPTH_FUNC)[0], GL_GREATER);
+  EXPECT_EQ(integer(GL_DEPTH_WRITEMASK)[0], GL_TRUE);
+  EXPECT_EQ(integer(GL_CLIP_DEPTH_MODE)[0], GL_ZERO_TO_ONE);
+  EXPECT_EQ(integer(GL_CLIP_ORIGIN)[0], GL_LOWER_LEFT);
+  EXPECT_EQ(integer(GL_CULL_FACE_MODE)[0], GL_FRONT);
+  EXPECT_EQ(integer(GL_FRONT_FACE)[0], GL_CW);
+  EXPECT_EQ(integer(GL_COLOR_WRITEMASK), (std::array<GLint, 4>{}));
+  EXPECT_EQ(integer(GL_DEPTH_RANGE), (std::array<GLint, 4>{0, std::numeric_limits<GLint>::max()}));
+  for (GLuint i = 0; i < 16; ++i) EXPECT_FALSE(api.IsEnabledi(GL_SCISSOR_TEST, i)) << i;
+  for (const GLenum name : {GL_DEPTH_TEST, GL_CULL_FACE}) EXPECT_TRUE(api.IsEnabled(name)) << name;
+  for (const GLenum name : {GL_SCISSOR_TEST, GL_STENCIL_TEST, GL_BLEND, GL_COLOR_LOGIC_OP, GL_POLYGON_OFFSET_FILL,
+                            GL_DEPTH_CLAMP, GL_FRAMEBUFFER_SRGB, GL_RASTERIZER_DISCARD})
+    EXPECT_FALSE(api.IsEnabled(name)) << name;
+
+  gl::DrawState{.viewport = {0, 0, 8, 8}}.apply(api);
+  for (const GLenum name : {GL_DEPTH_TEST, GL_CULL_FACE}) EXPECT_FALSE(api.IsEnabled(name)) << name;
+  EXPECT_EQ(integer(GL_DEPTH_WRITEMASK)[0], GL_FALSE);
+  EXPECT_EQ(integer(GL_CLIP_DEPTH_MODE)[0], GL_NEGATIVE_ONE_TO_ONE);
+  EXPECT_EQ(integer(GL_FRONT_FACE)[0], GL_CCW);
+  EXPECT_EQ(integer(GL_COLOR_WRITEMASK), (std::array<GLint, 4>{1, 1, 1, 1}));
 }
 
 }  // namespace
