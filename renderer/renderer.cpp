@@ -1,41 +1,34 @@
 #include <halfsilver/renderer.h>
 
 #include <algorithm>
+#include <array>
+#include <deque>
 #include <optional>
+#include <string>
 #include <tuple>
+#include <utility>
 
 #include <halfsilver/error.h>
-#include <halfsilver/tracer.h>
+#include "effects/ray_effect.h"
 #include "frame/frame_constants.h"
 #include "frame/gpu_scene.h"
 #include "frame/layers.h"
+#include "frame_record.h"
 #include "gl/framebuffer.h"
 #include "gl/state_guard.h"
 #include "passes/composite.h"
 #include "passes/gbuffer.h"
-#include "passes/select.h"
 #include "passes/shade.h"
-#include "passes/shade_hits.h"
 #include "passes/shadows.h"
 
 namespace halfsilver {
 namespace {
 
 // What a tracer is made from; another value needs another tracer.
-auto tracerKey(const Settings& s) { return std::tuple(s.scene, s.voxels, s.abuffer, s.search, s.trace); }
+auto tracerKey(const Settings& s) { return std::tuple(s.voxels, s.abuffer, s.search, s.trace.method, s.trace.stage); }
 
-// What the shadow maps depend on besides the scene.
-auto shadowKey(const Settings& s) { return std::tuple(s.shadow, s.scene); }
-
-std::uint64_t bytesOf(const RayQueue& queue) { return queue.rays.bytes() + queue.count.bytes(); }
-std::uint64_t bytesOf(const Hits& hits) { return hits.hits.bytes() + hits.surfaces.bytes(); }
-
-std::uint64_t bytesOf(const GpuScene& scene) {
-  std::uint64_t bytes = scene.positions.bytes() + scene.attributes.bytes() + scene.triangles.bytes() +
-                        scene.materials.bytes() + scene.drawList.bytes() + scene.sky.bytes();
-  for (const gl::Texture& texture : scene.textures) bytes += texture.bytes();
-  return bytes;
-}
+// Frames that may be under way, and frames whose figures may be: those, and one that has been reported.
+constexpr std::size_t kFrames = 2, kRecords = kFrames + 1;
 
 }  // namespace
 
@@ -45,170 +38,187 @@ struct Renderer::Impl {
 
   gl::Api api;
   TracerFactory exact;
-  gl::Profiler profiler{api};
-  gl::Buffer constants{api, sizeof(shared::FrameConstants), "frame constants"};
   ShadowPass shadowPass{api};
   GBufferPass gbufferPass{api};
-  SelectPass selectPass{api};
   ShadePass shadePass{api};
-  ShadeHitsPass shadeHitsPass{api};
   CompositePass compositePass{api};
+  std::unique_ptr<RayEffect> effect = makeEffect(api, {});
 
   GpuScene scene;
   std::vector<Light> lights;
   Sky sky;
   bool hasScene = false;
+  SceneChange change;  // since the tracer was updated
 
-  // Products that live from frame to frame. Queue and hits 0 are the first bounce's, which the layers show; later
-  // bounces take turns with the others.
   ShadowMaps shadows;
-  bool shadowsStale = true;
-  GBuffer gbuffer;
-  Contributions contributions;
-  RayQueue queues[3];
-  Hits hits[2];
-  std::unique_ptr<Tracer> tracer;
-  std::optional<Settings> settings;  // of the last frame
+  std::optional<ShadowSettings> shadowSettings;  // of the maps; none: they are out of date
   std::vector<std::string> shadowWarnings;
+  std::unique_ptr<Tracer> tracer;
+  std::optional<Settings> tracerSettings;  // of the tracer, which is null for "none"
 
-  void useSettings(const Settings& wanted);
-  void uploadConstants(const Camera& camera, int width, int height);
-  void prepareBounce(RayQueue& queue, Hits& result) const;
-  void traceReflections();
-  void render(const Camera& camera, const Settings& wanted, const Target& target);
-  FrameReport report();
+  // A frame under way, and its figures.
+  struct Work {
+    std::size_t frame, record;
+  };
+  std::array<Frame, kFrames> frames;
+  std::array<FrameRecord, kRecords> records{FrameRecord(api), FrameRecord(api), FrameRecord(api)};
+  std::deque<Work> underWay;           // the oldest first
+  std::optional<Work> finished;        // the newest
+  std::deque<std::size_t> unreported;  // records of finished frames, the oldest first
+  std::size_t nextRecord = 0;
+
+  FrameView viewOf(Frame& frame, gl::Profiler& profiler) const {
+    return {scene, shadows, frame.constants, frame.host, profiler};
+  }
+  void useTracer(const Settings& wanted);
+  void drawShadows(const Settings& wanted, gl::Profiler& profiler);
+  void reserveHits(const RayQueue& rays, Hits& hits) const;
+  void reserveQueue(const RayQueue& first, RayQueue& queue) const;
+  void submitBatch(const FrameView& view, Frame& frame, int batch);
+  void finishBatch(const FrameView& view, Frame& frame);
+  void begin(const Camera& camera, const Settings& wanted, int width, int height);
+  void finish(const Target& target);
+  void upload(const Scene& wanted, const SceneChange& changed);
 };
 
-void Renderer::Impl::useSettings(const Settings& wanted) {
-  if (!settings || shadowKey(*settings) != shadowKey(wanted)) shadowsStale = true;
-  if (!settings || tracerKey(*settings) != tracerKey(wanted)) {
-    tracer.reset();  // its memory goes before the new one's comes
-    settings.reset();
-    tracer = makeTracer(api, wanted, exact);
+void Renderer::Impl::useTracer(const Settings& wanted) {
+  if (tracerSettings && tracerKey(*tracerSettings) == tracerKey(wanted)) return;
+  if (!underWay.empty())
+    throw Error(ErrorKind::usage, "begin(): the settings need another tracer while a frame is under way");
+  tracer.reset();  // its memory goes before the new one's comes
+  tracerSettings.reset();
+  tracer = makeTracer(api, wanted, exact);
+  tracerSettings = wanted;
+  change = SceneChange::everything();
+}
+
+void Renderer::Impl::drawShadows(const Settings& wanted, gl::Profiler& profiler) {
+  if (shadowSettings == wanted.shadow) return;
+  shadowSettings.reset();
+  shadowWarnings = shadowPass.run(scene, lights, sky, wanted, shadows, profiler);
+  shadowSettings = wanted.shadow;
+}
+
+void Renderer::Impl::reserveHits(const RayQueue& rays, Hits& hits) const {
+  const std::size_t hitBytes = rays.capacity * sizeof(shared::Hit);
+  if (hits.hits.bytes() != hitBytes) hits.hits = gl::Buffer(api, hitBytes, "hits");
+  const std::size_t surfaceBytes = tracer->storesAttributes() ? rays.capacity * sizeof(shared::HitSurface) : 0;
+  if (hits.surfaces.bytes() != surfaceBytes) hits.surfaces = gl::Buffer(api, surfaceBytes, "hit surfaces");
+}
+
+void Renderer::Impl::reserveQueue(const RayQueue& first, RayQueue& queue) const {
+  if (queue.capacity == first.capacity) return;
+  queue.rays = gl::Buffer(api, first.rays.bytes(), "rays of a later bounce");
+  queue.paths = gl::Buffer(api, first.paths.bytes(), "ray paths of a later bounce");
+  queue.count = gl::Buffer(api, first.count.bytes(), "ray count of a later bounce");
+  queue.count.fill(0);
+  queue.capacity = first.capacity;
+}
+
+// The first rays of a batch, on their way.
+void Renderer::Impl::submitBatch(const FrameView& view, Frame& frame, int batch) {
+  effect->spawn(view, frame.gbuffer, batch, frame.queues[0], frame.effect);
+  reserveHits(frame.queues[0], frame.hits[0]);
+  tracer->submit(view, frame.queues[0], frame.hits[0]);
+}
+
+// The hits of a batch and of all generations after it, into the picture.
+void Renderer::Impl::finishBatch(const FrameView& view, Frame& frame) {
+  tracer->collect(view, frame.queues[0], frame.hits[0]);
+  const int generations = effect->generations(frame.settings);
+  for (int generation = 0; generation < generations; ++generation) {
+    const bool last = generation + 1 == generations;
+    const RayQueue& rays = frame.queues[generation == 0 ? 0 : 1 + (generation - 1) % 2];
+    RayQueue& next = frame.queues[1 + generation % 2];
+    Hits& hits = frame.hits[generation == 0 ? 0 : 1];
+    if (generation > 0) tracer->trace(view, rays, hits);
+    if (!last) {
+      reserveQueue(frame.queues[0], next);
+      reserveHits(next, frame.hits[1]);
+    }
+    effect->shade(view, rays, hits, last ? nullptr : &next, frame.effect);
   }
-  settings = wanted;
+  effect->resolve(view, frame.queues[0], frame.effect, frame.gbuffer);
 }
 
-void Renderer::Impl::uploadConstants(const Camera& camera, int width, int height) {
-  const shared::FrameConstants frame =
-      makeFrameConstants(camera, scene.bounds, sky, *settings, width, height, shadows.lightCount);
-  constants.write(0, &frame, sizeof(frame));
-  constants.bindUniform(UBO_FRAME);
-}
-
-void Renderer::Impl::prepareBounce(RayQueue& queue, Hits& result) const {
-  if (queue.capacity != queues[0].capacity) {
-    queue.rays = gl::Buffer(api, queues[0].rays.bytes(), "rays of a later bounce");
-    queue.count = gl::Buffer(api, queues[0].count.bytes(), "ray count of a later bounce");
-    queue.count.fill(0);
-    queue.capacity = queues[0].capacity;
-  }
-  const std::size_t hitBytes = queue.capacity * sizeof(shared::Hit);
-  if (result.hits.bytes() != hitBytes) result.hits = gl::Buffer(api, hitBytes, "hits");
-  const std::size_t surfaceBytes = tracer->storesAttributes() ? queue.capacity * sizeof(shared::HitSurface) : 0;
-  if (result.surfaces.bytes() != surfaceBytes) result.surfaces = gl::Buffer(api, surfaceBytes, "hit surfaces");
-}
-
-void Renderer::Impl::traceReflections() {
-  prepareBounce(queues[0], hits[0]);
-  for (int i : {1, 2})
-    if (queues[i].count) queues[i].count.fill(0);  // their overflow adds up over the bounces that share a queue
-  tracer->build(scene, queues[0], profiler);
-  for (int bounce = 0; bounce < settings->trace.bounces; ++bounce) {
-    const bool last = bounce + 1 == settings->trace.bounces;
-    RayQueue& rays = queues[bounce == 0 ? 0 : 1 + (bounce - 1) % 2];
-    RayQueue& next = queues[1 + bounce % 2];
-    Hits& found = hits[bounce == 0 ? 0 : 1];
-    if (!last) prepareBounce(next, hits[1]);
-    tracer->trace(scene, rays, found, profiler);
-    shadeHitsPass.run(rays, found, gbuffer, last ? nullptr : &next, profiler);
-  }
-}
-
-// The whole frame; the stages are those of README.md.
-void Renderer::Impl::render(const Camera& camera, const Settings& wanted, const Target& target) {
-  if (!hasScene) throw Error(ErrorKind::usage, "render() needs a scene: call setScene() first");
-  if (target.width < 1 || target.height < 1 || target.width > api.limits.framebufferSize ||
-      target.height > api.limits.framebufferSize)
-    throw Error(ErrorKind::usage, "a picture of " + std::to_string(target.width) + " x " +
-                                      std::to_string(target.height) + " is beyond the device's limits (1 to " +
+// The stages of README.md up to the rays.
+void Renderer::Impl::begin(const Camera& camera, const Settings& wanted, int width, int height) {
+  if (!hasScene) throw Error(ErrorKind::usage, "begin() needs a scene: call setScene() first");
+  if (underWay.size() == kFrames)
+    throw Error(ErrorKind::usage, "begin(): two frames are under way, finish() one first");
+  if (width < 1 || height < 1 || width > api.limits.framebufferSize || height > api.limits.framebufferSize)
+    throw Error(ErrorKind::usage, "a picture of " + std::to_string(width) + " x " + std::to_string(height) +
+                                      " is beyond the device's limits (1 to " +
                                       std::to_string(api.limits.framebufferSize) + ")");
-  const gl::StateGuard guard(api);
-  profiler.discard();
-  const auto frame = profiler.section("frame");
-  useSettings(wanted);
-  scene.bind();
-  uploadConstants(camera, target.width, target.height);
-  if (shadowsStale) {
-    shadowWarnings = shadowPass.run(scene, lights, sky, *settings, shadows, profiler);
-    shadowsStale = false;
-    uploadConstants(camera, target.width, target.height);  // with the number of lights
+  const Work work{underWay.empty() ? 0 : 1 - underWay.front().frame, nextRecord};
+  if (finished && finished->frame == work.frame) finished.reset();
+  std::erase(unreported, work.record);
+  Frame& frame = frames[work.frame];
+  FrameRecord& record = records[work.record];
+  record.begin();
+  const auto section = record.profiler().section("frame");
+  useTracer(wanted);
+  drawShadows(wanted, record.profiler());
+  frame.settings = wanted;
+  frame.host = makeFrameConstants(camera, scene.bounds, sky, wanted, width, height, shadows.lightCount);
+  if (!frame.constants) frame.constants = gl::Buffer(api, sizeof(frame.host), "frame constants");
+  frame.constants.write(0, &frame.host, sizeof(frame.host));
+
+  const FrameView view = viewOf(frame, record.profiler());
+  gbufferPass.run(view, frame.gbuffer);
+  shadePass.run(view, frame.gbuffer);
+  if (tracer) {
+    for (RayQueue& queue : frame.queues)
+      if (queue.count) queue.count.fill(0);  // overflow adds up over the generations that share a queue
+    tracer->update(view, change);
+    change = {};
+    submitBatch(view, frame, 0);
+  } else {
+    frame.queues[0] = RayQueue();  // a ray for each pixel is much memory for nothing
+    frame.hits[0] = Hits();
   }
-  gbufferPass.run(scene, gbuffer, target.width, target.height, settings->scene.cullBackFaces, profiler);
-  scene.bind();
-  shadows.bind();
-  shadePass.run(gbuffer, profiler);
-  if (tracer)
-    selectPass.run(gbuffer, queues[0], contributions, profiler);
-  else
-    queues[0] = RayQueue();  // a ray for each pixel is much memory for nothing
-  scene.bind();
-  shadeHitsPass.clear(gbuffer, profiler);
-  if (tracer)
-    traceReflections();
-  else
-    hits[0] = Hits();
-  scene.bind();
-  compositePass.run(gbuffer, CompositePass::Output::display, target.framebuffer, {target.x, target.y}, profiler);
-  scene.moved.clear();
-  scene.drawnGeometry = scene.geometry;
+  nextRecord = (nextRecord + 1) % kRecords;
+  underWay.push_back(work);
 }
 
-FrameReport Renderer::Impl::report() {
-  FrameReport report;
-  report.pixels = static_cast<std::uint64_t>(gbuffer.width) * static_cast<std::uint64_t>(gbuffer.height);
-  for (const gl::SectionTime& time : profiler.collect()) report.times.push_back({time.name, time.milliseconds});
-  // Counts (selection, trace) are read by the host.
+// The stages of README.md from the hits on.
+void Renderer::Impl::finish(const Target& target) {
+  if (underWay.empty()) throw Error(ErrorKind::usage, "finish(): no frame is under way, call begin() first");
+  const Work work = underWay.front();
+  Frame& frame = frames[work.frame];
+  FrameRecord& record = records[work.record];
+  if (target.width != frame.gbuffer.width || target.height != frame.gbuffer.height)
+    throw Error(ErrorKind::usage, "finish(): the target has another size than begin() was given");
+  underWay.pop_front();
+  {
+    const auto section = record.profiler().section("frame");
+    const FrameView view = viewOf(frame, record.profiler());
+    if (tracer) {
+      finishBatch(view, frame);
+      for (int batch = 1; batch < effect->batches(frame.settings, frame.gbuffer); ++batch) {
+        submitBatch(view, frame, batch);
+        finishBatch(view, frame);
+      }
+    }
+    compositePass.run(view, frame.gbuffer, CompositePass::Output::display, target.framebuffer, {target.x, target.y});
+  }
+  // Counts (selection, build, trace) are copied for the report.
   api.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-  const auto count = [](const RayQueue& queue) {
-    return queue.count ? queue.count.read<shared::RayCount>(1)[0] : shared::RayCount{};
-  };
-  // Rays that nobody traces are no selection: the layers say so too.
-  report.selected = tracer ? count(queues[0]).count : 0;
-  report.reflecting = tracer ? count(queues[0]).reflecting : 0;
-  if (tracer) {
-    const std::vector<GLuint> counts = contributions.counts.read<GLuint>(CONTRIBUTION_CLASSES);
-    report.contributions.assign(counts.begin(), counts.end());
-  }
-  report.warnings = scene.warnings;
-  report.warnings.insert(report.warnings.end(), shadowWarnings.begin(), shadowWarnings.end());
+  std::vector<std::string> warnings = scene.warnings;
+  warnings.insert(warnings.end(), shadowWarnings.begin(), shadowWarnings.end());
+  std::size_t peak = scene.bytes() + shadows.lights.bytes() + shadows.maps.bytes();
+  for (const Frame& each : frames) peak += each.bytes();
+  record.end(frame, tracer.get(), peak, std::move(warnings));
+  finished = work;
+  unreported.push_back(work.record);
+}
 
-  MemoryReport& memory = report.memory;
-  std::uint64_t transient = 0;
-  if (tracer) {
-    const TracerMemory held = tracer->memory();
-    memory.voxels = held.voxels;
-    for (int axis = 0; axis < 3; ++axis) memory.grid[axis] = held.grid[axis];
-    memory.heads = held.heads;
-    memory.poolReserved = held.poolReserved;
-    memory.poolUsed = held.poolUsed;
-    memory.fragments = held.fragments;
-    memory.fragmentsStored = held.fragmentsStored;
-    std::copy(std::begin(held.perAxis), std::end(held.perAxis), std::begin(memory.fragmentsPerAxis));
-    memory.bytesPerFragment = held.bytesPerFragment;
-    memory.structureTotal = held.structureTotal;
-    transient = held.transient;
-    report.lostFragments = tracer->lostFragments();
-    report.overflow = count(queues[0]).overflow;
-    for (int bounce = 1; bounce < std::min(settings->trace.bounces, 3); ++bounce)
-      report.overflow += count(queues[bounce]).overflow;
-  }
-  memory.gbuffer = gbuffer.bytes();
-  memory.peak = bytesOf(scene) + shadows.lights.bytes() + shadows.maps.bytes() + memory.gbuffer + constants.bytes() +
-                contributions.counts.bytes() + memory.structureTotal + transient;
-  for (const RayQueue& queue : queues) memory.peak += bytesOf(queue);
-  for (const Hits& result : hits) memory.peak += bytesOf(result);
-  return report;
+void Renderer::Impl::upload(const Scene& wanted, const SceneChange& changed) {
+  updateScene(api, scene, wanted, changed);
+  if (changed.lights) lights = wanted.lights;
+  if (changed.sky) sky = wanted.sky;
+  if (changed.any()) shadowSettings.reset();
+  change.add(changed);
 }
 
 Renderer::Renderer(const std::function<Proc(const char*)>& getProcAddress, TracerFactory exact)
@@ -222,58 +232,92 @@ DeviceInfo Renderer::device() const {
 }
 
 void Renderer::setScene(const Scene& scene) {
-  const gl::StateGuard guard(impl_->api);
-  impl_->hasScene = false;
-  impl_->tracer.reset();  // it knows the old scene
-  impl_->settings.reset();
-  impl_->scene = GpuScene();  // its memory goes before the new one's comes
-  impl_->scene = uploadScene(impl_->api, scene);
-  impl_->lights = scene.lights;
-  impl_->sky = scene.sky;
-  impl_->shadowsStale = true;
-  impl_->hasScene = true;
+  Impl& r = *impl_;
+  if (!r.underWay.empty()) throw Error(ErrorKind::usage, "setScene(): a frame is under way, finish() it first");
+  const gl::StateGuard guard(r.api);
+  r.hasScene = false;
+  r.finished.reset();
+  r.unreported.clear();
+  r.tracer.reset();  // it knows the old scene
+  r.tracerSettings.reset();
+  r.shadowSettings.reset();
+  r.scene = GpuScene();  // its memory goes before the new one's comes
+  r.scene = uploadScene(r.api, scene);
+  r.lights = scene.lights;
+  r.sky = scene.sky;
+  r.change = SceneChange::everything();
+  r.hasScene = true;
+}
+
+void Renderer::update(const Scene& scene, const SceneChange& change) {
+  Impl& r = *impl_;
+  if (!r.hasScene) throw Error(ErrorKind::usage, "update() needs a scene: call setScene() first");
+  if (!r.underWay.empty()) throw Error(ErrorKind::usage, "update(): a frame is under way, finish() it first");
+  if (change.topology) throw Error(ErrorKind::usage, "update(): another topology is another scene, call setScene()");
+  if (!change.any()) return;
+  const gl::StateGuard guard(r.api);
+  r.upload(scene, change);
 }
 
 void Renderer::updateVertices(const Scene& scene, std::span<const VertexRange> ranges) {
-  if (!impl_->hasScene) throw Error(ErrorKind::usage, "updateVertices() needs a scene: call setScene() first");
-  if (ranges.empty()) return;
-  const gl::StateGuard guard(impl_->api);
-  halfsilver::updateVertices(impl_->scene, scene, ranges);
-  impl_->lights = scene.lights;
-  impl_->shadowsStale = true;
+  if (ranges.empty() && impl_->hasScene) return;
+  update(scene, {.lights = true, .moved = {ranges.begin(), ranges.end()}});
 }
 
 void Renderer::forgetStructures() {
-  // Kept structures are of the geometry that was drawn last.
-  ++impl_->scene.geometry;
-  impl_->scene.drawnGeometry = impl_->scene.geometry;
+  if (impl_->tracer) impl_->tracer->forget();
+}
+
+void Renderer::begin(const Camera& camera, const Settings& settings, int width, int height) {
+  const gl::StateGuard guard(impl_->api);
+  impl_->begin(camera, settings, width, height);
+}
+
+void Renderer::finish(const Target& target) {
+  const gl::StateGuard guard(impl_->api);
+  impl_->finish(target);
 }
 
 void Renderer::render(const Camera& camera, const Settings& settings, const Target& target) {
-  impl_->render(camera, settings, target);
+  if (!impl_->underWay.empty()) throw Error(ErrorKind::usage, "render(): a frame is under way, finish() it first");
+  const gl::StateGuard guard(impl_->api);
+  impl_->begin(camera, settings, target.width, target.height);
+  impl_->finish(target);
 }
 
 FrameReport Renderer::report() {
-  if (!impl_->settings) throw Error(ErrorKind::usage, "report() needs a frame: call render() first");
-  const gl::StateGuard guard(impl_->api);
-  return impl_->report();
+  Impl& r = *impl_;
+  if (!r.finished) throw Error(ErrorKind::usage, "report() needs a finished frame: call render() first");
+  const gl::StateGuard guard(r.api);
+  std::erase(r.unreported, r.finished->record);
+  return r.records[r.finished->record].report();
+}
+
+std::optional<FrameReport> Renderer::arrivedReport() {
+  Impl& r = *impl_;
+  const auto newest = std::find_if(r.unreported.rbegin(), r.unreported.rend(),
+                                   [&r](std::size_t record) { return r.records[record].arrived(); });
+  if (newest == r.unreported.rend()) return std::nullopt;
+  FrameReport report = r.records[*newest].report();
+  r.unreported.erase(r.unreported.begin(), newest.base());
+  return report;
 }
 
 Image Renderer::readLayers() const {
   Impl& r = *impl_;
-  if (!r.settings) throw Error(ErrorKind::usage, "readLayers() needs a frame: call render() first");
+  if (!r.finished) throw Error(ErrorKind::usage, "readLayers() needs a finished frame: call render() first");
   const gl::StateGuard guard(r.api);
-  const gl::Texture linear(r.api, {.format = GL_RGBA32F, .width = r.gbuffer.width, .height = r.gbuffer.height},
+  Frame& frame = r.frames[r.finished->frame];
+  const gl::Texture linear(r.api, {.format = GL_RGBA32F, .width = frame.gbuffer.width, .height = frame.gbuffer.height},
                            "linear picture");
   const gl::Framebuffer framebuffer(r.api);
   framebuffer.attach(GL_COLOR_ATTACHMENT0, linear);
-  r.scene.bind();
-  r.constants.bindUniform(UBO_FRAME);
   gl::Profiler untimed(r.api);
-  r.compositePass.run(r.gbuffer, CompositePass::Output::linear, framebuffer.name(), {0, 0}, untimed);
+  r.compositePass.run(r.viewOf(frame, untimed), frame.gbuffer, CompositePass::Output::linear, framebuffer.name(),
+                      {0, 0});
   // Images and buffers (all stages) are read by the host.
   r.api.MemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
-  return assembleLayers(r.scene, r.gbuffer, linear, r.queues[0], r.hits[0]);
+  return assembleLayers(r.scene, frame.gbuffer, linear, frame.queues[0], frame.hits[0]);
 }
 
 }  // namespace halfsilver

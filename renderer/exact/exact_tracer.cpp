@@ -4,13 +4,11 @@
 
 #include <algorithm>
 #include <atomic>
-#include <bit>
 #include <span>
 #include <string>
 #include <thread>
 
 #include <halfsilver/error.h>
-#include "frame/frame_constants.h"
 #include "scene/alpha.h"
 
 namespace halfsilver {
@@ -65,17 +63,17 @@ bool countMemory(void* total, ssize_t bytes, bool) {
 
 class ExactTracer final : public Tracer {
  public:
-  ExactTracer(const Scene& scene, int threads, bool cullBackFaces)
+  ExactTracer(const Scene& scene, int threads)
       : scene_(&scene),
         threads_(threads > 0 ? static_cast<unsigned>(threads) : std::max(1u, std::thread::hardware_concurrency())),
-        cullBackFaces_(cullBackFaces),
         device_(rtcNewDevice(("threads=" + std::to_string(threads_)).c_str())) {
     if (!device_) throw Error(ErrorKind::failed, "Embree cannot make a device");
     rtcSetDeviceMemoryMonitorFunction(device_.get(), countMemory, &bytes_);
   }
 
-  void build(const GpuScene&, const RayQueue&, gl::Profiler& profiler) override {
-    const auto scope = profiler.hostSection("build");
+  void update(const FrameView& view, const SceneChange& change) override {
+    if (embreeScene_ && !change.geometry()) return;
+    const auto scope = view.profiler.hostSection("build");
     embreeScene_.reset(rtcNewScene(device_.get()));
     rtcSetSceneFlags(embreeScene_.get(), RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
     RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
@@ -92,14 +90,12 @@ class ExactTracer final : public Tracer {
       throw Error(ErrorKind::failed, "Embree cannot build the scene");
   }
 
-  void trace(const GpuScene& scene, const RayQueue& rays, Hits& hits, gl::Profiler& profiler) override {
-    const auto scope = profiler.hostSection("trace");
+  void trace(const FrameView& view, const RayQueue& rays, Hits& hits) override {
+    const auto scope = view.profiler.hostSection("trace");
     const auto count = rays.count.read<shared::RayCount>(1)[0].count;
     const std::vector<Ray> queue = rays.rays.read<Ray>(count);
     std::vector<Hit> results(count);
-    // The smallest distance is that of UBO_FRAME, which is made from the same bounds.
-    const float least = smallestHitDistance(scene.bounds);
-    traceAll(queue, results, least);
+    traceAll(queue, results, view.frame);
     hits.hits.write(std::span<const Hit>(results));
   }
 
@@ -110,36 +106,36 @@ class ExactTracer final : public Tracer {
   }
 
  private:
-  void traceAll(std::span<const Ray> rays, std::span<Hit> results, float least) const {
+  void traceAll(std::span<const Ray> rays, std::span<Hit> results, const shared::FrameConstants& frame) const {
     constexpr std::size_t kChunk = 1024;
     std::atomic<std::size_t> next{0};
     const auto work = [&] {
       for (std::size_t first = next.fetch_add(kChunk); first < rays.size(); first = next.fetch_add(kChunk))
         for (std::size_t i = first; i < std::min(first + kChunk, rays.size()); ++i)
-          results[i] = traceOne(rays[i], least);
+          results[i] = traceOne(rays[i], frame);
     };
     std::vector<std::jthread> helpers;
     for (unsigned i = 1; i < threads_; ++i) helpers.emplace_back(work);
     work();
   }
 
-  Hit traceOne(const Ray& ray, float least) const {
+  Hit traceOne(const Ray& ray, const shared::FrameConstants& frame) const {
     RayContext context;
     rtcInitIntersectContext(&context);
     context.filter = filter;
     context.scene = scene_;
-    context.cullBackFaces = cullBackFaces_;
-    context.excluded = std::bit_cast<std::uint32_t>(ray.directionExclude.w);
-    context.direction = glm::vec3(ray.directionExclude);
+    context.cullBackFaces = frame.cullBackFaces != 0;
+    context.excluded = ray.excluded;
+    context.direction = ray.direction;
     RTCRayHit query{};
-    query.ray.org_x = ray.originPixel.x;
-    query.ray.org_y = ray.originPixel.y;
-    query.ray.org_z = ray.originPixel.z;
-    query.ray.dir_x = ray.directionExclude.x;
-    query.ray.dir_y = ray.directionExclude.y;
-    query.ray.dir_z = ray.directionExclude.z;
-    query.ray.tnear = least;
-    query.ray.tfar = std::numeric_limits<float>::infinity();
+    query.ray.org_x = ray.origin.x;
+    query.ray.org_y = ray.origin.y;
+    query.ray.org_z = ray.origin.z;
+    query.ray.dir_x = ray.direction.x;
+    query.ray.dir_y = ray.direction.y;
+    query.ray.dir_z = ray.direction.z;
+    query.ray.tnear = frame.minDistance;
+    query.ray.tfar = ray.maxDistance;
     query.ray.mask = ~0u;
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     rtcIntersect1(embreeScene_.get(), &context, &query);
@@ -149,7 +145,6 @@ class ExactTracer final : public Tracer {
 
   const Scene* scene_;
   unsigned threads_;
-  bool cullBackFaces_;
   std::atomic<std::int64_t> bytes_{0};
   Device device_;
   EmbreeScene embreeScene_;
@@ -158,8 +153,8 @@ class ExactTracer final : public Tracer {
 }  // namespace
 
 TracerFactory makeExactTracerFactory(const Scene& scene, int threads) {
-  return [&scene, threads](const gl::Api&, const Settings& settings) -> std::unique_ptr<Tracer> {
-    return std::make_unique<ExactTracer>(scene, threads, settings.scene.cullBackFaces);
+  return [&scene, threads](const gl::Api&, const Settings&) -> std::unique_ptr<Tracer> {
+    return std::make_unique<ExactTracer>(scene, threads);
   };
 }
 

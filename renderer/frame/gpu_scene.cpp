@@ -45,8 +45,10 @@ shared::GpuMaterial packMaterial(const Material& material, bool holes, const std
   const float ratio = (material.ior - 1) / (material.ior + 1);
   shared::GpuMaterial packed{};
   packed.baseColor = material.baseColor;
-  packed.emissiveCutoff = glm::vec4(material.emissive, blend ? 0.5f : material.alphaCutoff);
-  packed.specular = glm::vec4(material.specularColor, material.specular);
+  packed.emissive = material.emissive;
+  packed.alphaCutoff = blend ? 0.5f : material.alphaCutoff;
+  packed.specularColor = material.specularColor;
+  packed.specularFactor = material.specular;
   packed.metallic = material.metallic;
   packed.roughness = material.roughness;
   packed.normalScale = material.normalScale;
@@ -74,11 +76,17 @@ void writeVertices(GpuScene& gpu, const Scene& scene, std::size_t first, std::si
   for (std::size_t i = 0; i < count; ++i) {
     const Vertex& vertex = scene.vertices[first + i];
     for (int axis = 0; axis < 3; ++axis) positions[3 * i + static_cast<std::size_t>(axis)] = vertex.position[axis];
-    attributes[i] = {glm::vec4(vertex.normal, vertex.uv[0].x), vertex.tangent,
-                     glm::vec4(vertex.uv[0].y, vertex.uv[1].x, vertex.uv[1].y, 0), vertex.color};
+    attributes[i] = {vertex.normal, vertex.tangent.w, glm::vec3(vertex.tangent), 0, vertex.uv[0],
+                     vertex.uv[1],  vertex.color};
   }
   gpu.positions.write(std::span<const float>(positions), 3 * first);
   gpu.attributes.write(std::span<const shared::VertexAttributes>(attributes), first);
+}
+
+std::array<const TextureUse*, 7> textureUses(const Material& material) {
+  return {&material.baseColorTexture,    &material.metallicRoughnessTexture, &material.normalTexture,
+          &material.occlusionTexture,    &material.emissiveTexture,          &material.specularTexture,
+          &material.specularColorTexture};
 }
 
 void checkIndices(const Scene& scene) {
@@ -91,9 +99,7 @@ void checkIndices(const Scene& scene) {
                                            (inside ? "material" : "vertex") + " that does not exist");
   }
   for (const Material& material : scene.materials)
-    for (const TextureUse* use : {&material.baseColorTexture, &material.metallicRoughnessTexture,
-                                  &material.normalTexture, &material.occlusionTexture, &material.emissiveTexture,
-                                  &material.specularTexture, &material.specularColorTexture})
+    for (const TextureUse* use : textureUses(material))
       if (use->texture >= static_cast<int>(scene.textures.size()) ||
           (use->texture >= 0 && !scene.textures[static_cast<std::size_t>(use->texture)]))
         throw Error(ErrorKind::badInput,
@@ -120,6 +126,40 @@ std::vector<std::uint32_t> groupTriangles(const Scene& scene, const std::vector<
   return order;
 }
 
+void uploadMaterials(const gl::Api& api, GpuScene& gpu, const Scene& scene, const std::vector<bool>& holes) {
+  std::vector<shared::GpuMaterial> materials;
+  for (std::size_t m = 0; m < scene.materials.size(); ++m)
+    materials.push_back(packMaterial(scene.materials[m], holes[m], gpu.textureLocations));
+  gpu.materials = gl::makeBuffer(api, std::span<const shared::GpuMaterial>(materials), "materials");
+  gpu.drawRanges.clear();
+  const std::vector<std::uint32_t> order = groupTriangles(scene, holes, gpu.drawRanges);
+  gpu.drawList = gl::makeBuffer(api, std::span<const std::uint32_t>(order), "draw list");
+}
+
+void requireCount(std::size_t has, std::size_t uploaded, const char* what) {
+  if (has != uploaded)
+    throw Error(ErrorKind::usage, "the scene has " + std::to_string(has) + " " + what + ", " +
+                                      std::to_string(uploaded) + " were uploaded");
+}
+
+void checkChange(const GpuScene& gpu, const Scene& scene, const SceneChange& change) {
+  requireCount(scene.vertices.size(), gpu.vertexCount, "vertices");
+  requireCount(scene.triangles.size(), gpu.triangleCount, "triangles");
+  requireCount(scene.materials.size(), gpu.materialCount, "materials");
+  requireCount(scene.textures.size(), gpu.textureLocations.size(), "textures");
+  for (const VertexRange& range : change.moved)
+    if (range.first > gpu.vertexCount || range.count > gpu.vertexCount - range.first)
+      throw Error(ErrorKind::usage, "vertices " + std::to_string(range.first) + " + " + std::to_string(range.count) +
+                                        " are beyond the scene's " + std::to_string(gpu.vertexCount));
+  if (!change.materials) return;
+  checkIndices(scene);
+  for (const Material& material : scene.materials)
+    for (const TextureUse* use : textureUses(material))
+      if (use->texture >= 0 && gpu.textureLocations[static_cast<std::size_t>(use->texture)] == NO_TEXTURE)
+        throw Error(ErrorKind::usage, "material '" + material.name +
+                                          "' names a texture that no material named when the scene was uploaded");
+}
+
 }  // namespace
 
 GpuScene uploadScene(const gl::Api& api, const Scene& scene) {
@@ -127,6 +167,7 @@ GpuScene uploadScene(const gl::Api& api, const Scene& scene) {
   GpuScene gpu;
   gpu.vertexCount = static_cast<std::uint32_t>(scene.vertices.size());
   gpu.triangleCount = static_cast<std::uint32_t>(scene.triangles.size());
+  gpu.materialCount = static_cast<std::uint32_t>(scene.materials.size());
   gpu.bounds = scene.bounds();
   gpu.core = findCore(scene);
 
@@ -142,35 +183,23 @@ GpuScene uploadScene(const gl::Api& api, const Scene& scene) {
   gpu.triangles = gl::makeBuffer(api, std::span<const glm::uvec4>(triangles), "triangles");
 
   const std::vector<bool> holes = materialsWithHoles(scene);
-  const std::vector<std::uint32_t> order = groupTriangles(scene, holes, gpu.drawRanges);
-  gpu.drawList = gl::makeBuffer(api, std::span<const std::uint32_t>(order), "draw list");
-
   MaterialTextures textures = uploadTextures(api, scene, holes);
-  std::vector<shared::GpuMaterial> materials;
-  for (std::size_t m = 0; m < scene.materials.size(); ++m)
-    materials.push_back(packMaterial(scene.materials[m], holes[m], textures.locations));
-  gpu.materials = gl::makeBuffer(api, std::span<const shared::GpuMaterial>(materials), "materials");
   gpu.textures = std::move(textures.buckets);
+  gpu.textureLocations = std::move(textures.locations);
   gpu.warnings = std::move(textures.warnings);
+  uploadMaterials(api, gpu, scene, holes);
   gpu.sky = uploadSky(api, scene.sky);
   return gpu;
 }
 
-void updateVertices(GpuScene& gpu, const Scene& scene, std::span<const VertexRange> ranges) {
-  if (scene.vertices.size() != gpu.vertexCount)
-    throw Error(ErrorKind::usage, "the scene has " + std::to_string(scene.vertices.size()) + " vertices, " +
-                                      std::to_string(gpu.vertexCount) + " were uploaded");
-  // All are checked before any is written.
-  for (const VertexRange& range : ranges)
-    if (range.first > gpu.vertexCount || range.count > gpu.vertexCount - range.first)
-      throw Error(ErrorKind::usage, "vertices " + std::to_string(range.first) + " + " + std::to_string(range.count) +
-                                        " are beyond the scene's " + std::to_string(gpu.vertexCount));
-  for (const VertexRange& range : ranges) writeVertices(gpu, scene, range.first, range.count);
-  if (ranges.empty()) return;
+void updateScene(const gl::Api& api, GpuScene& gpu, const Scene& scene, const SceneChange& change) {
+  checkChange(gpu, scene, change);
+  if (change.materials) uploadMaterials(api, gpu, scene, materialsWithHoles(scene));
+  if (change.sky) gpu.sky = uploadSky(api, scene.sky);
+  for (const VertexRange& range : change.moved) writeVertices(gpu, scene, range.first, range.count);
+  if (change.moved.empty()) return;
   gpu.bounds = scene.bounds();
   gpu.core = findCore(scene);
-  gpu.moved.insert(gpu.moved.end(), ranges.begin(), ranges.end());
-  ++gpu.geometry;
 }
 
 }  // namespace halfsilver

@@ -2,9 +2,9 @@
 
 #include <span>
 
-#include <halfsilver/model.h>
 #include <halfsilver/products.h>
 #include <halfsilver/scene.h>
+#include <halfsilver/scene_change.h>
 
 namespace halfsilver {
 
@@ -12,7 +12,8 @@ namespace halfsilver {
 // the scene points nowhere and Error (failed) where the device cannot hold it.
 GpuScene uploadScene(const gl::Api& api, const Scene& scene);
 
-// Uploads moved vertices of the scene that was uploaded; everything but their attributes is unchanged.
-void updateVertices(GpuScene& gpu, const Scene& scene, std::span<const VertexRange> ranges);
+// Uploads what changed in the scene that was uploaded: moved vertices, the sky, the values of materials. Throws Error
+// (usage) if the scene has other counts of vertices, triangles, materials or textures, before anything is written.
+void updateScene(const gl::Api& api, GpuScene& gpu, const Scene& scene, const SceneChange& change);
 
 }  // namespace halfsilver

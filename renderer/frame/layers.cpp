@@ -1,7 +1,6 @@
 #include "frame/layers.h"
 
 #include <array>
-#include <bit>
 #include <optional>
 #include <span>
 #include <vector>
@@ -12,6 +11,7 @@ namespace {
 using shared::Hit;
 using shared::HitSurface;
 using shared::Ray;
+using shared::RayPath;
 
 enum Layer : std::size_t {
   R,
@@ -51,7 +51,7 @@ class VertexNormals {
 
   glm::vec3 at(const Hit& hit) const {
     const glm::uvec4 corners = triangles_[hit.triangle];
-    const auto normal = [&](glm::uint corner) { return glm::vec3(attributes_[corner].normalU); };
+    const auto normal = [&](glm::uint corner) { return attributes_[corner].normal; };
     return (1.0f - hit.u - hit.v) * normal(corners.x) + hit.u * normal(corners.y) + hit.v * normal(corners.z);
   }
 
@@ -63,6 +63,7 @@ class VertexNormals {
 void addHits(Image& image, const GpuScene& scene, const RayQueue& rays, const Hits& hits) {
   const auto count = rays.count.read<shared::RayCount>(1)[0].count;
   const std::vector<Ray> queue = rays.rays.read<Ray>(count);
+  const std::vector<RayPath> paths = rays.paths.read<RayPath>(count);
   const std::vector<Hit> results = hits.hits.read<Hit>(count);
   std::vector<HitSurface> surfaces;
   std::optional<VertexNormals> vertexNormals;
@@ -73,16 +74,16 @@ void addHits(Image& image, const GpuScene& scene, const RayQueue& rays, const Hi
 
   const auto width = static_cast<std::size_t>(image.width), height = static_cast<std::size_t>(image.height);
   for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t pixel = std::bit_cast<std::uint32_t>(queue[i].originPixel.w);
+    const std::size_t pixel = paths[i].pixel;
     const std::size_t row = height - 1 - pixel / width;
     float* out = &image.data[(row * width + pixel % width) * layerCount];
     out[selectedY] = 1;
     out[hitT] = results[i].t;
     if (results[i].t < 0) continue;
     out[hitId] = static_cast<float>(results[i].triangle);
-    glm::vec3 normal = vertexNormals ? vertexNormals->at(results[i]) : glm::vec3(surfaces[i].normalReflectivity);
+    glm::vec3 normal = vertexNormals ? vertexNormals->at(results[i]) : surfaces[i].normal;
     if (glm::dot(normal, normal) > 0) normal = glm::normalize(normal);
-    if (glm::dot(normal, glm::vec3(queue[i].directionExclude)) > 0) normal = -normal;
+    if (glm::dot(normal, queue[i].direction) > 0) normal = -normal;
     for (std::size_t axis = 0; axis < 3; ++axis) out[hitNx + axis] = normal[static_cast<glm::length_t>(axis)];
   }
 }

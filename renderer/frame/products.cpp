@@ -2,15 +2,25 @@
 
 namespace halfsilver {
 
-void GpuScene::bind() const {
+std::size_t GpuScene::bytes() const {
+  std::size_t sum =
+      positions.bytes() + attributes.bytes() + triangles.bytes() + materials.bytes() + drawList.bytes() + sky.bytes();
+  for (const gl::Texture& texture : textures) sum += texture.bytes();
+  return sum;
+}
+
+void GpuScene::bindTriangles() const {
   positions.bindStorage(SSBO_POSITIONS);
-  attributes.bindStorage(SSBO_ATTRIBUTES);
   triangles.bindStorage(SSBO_TRIANGLES);
+}
+
+void GpuScene::bindSurfaces() const {
+  bindTriangles();
+  attributes.bindStorage(SSBO_ATTRIBUTES);
   materials.bindStorage(SSBO_MATERIALS);
   // Units without a bucket of their own are never read, but must hold a texture of the right kind.
   for (std::size_t bucket = 0; bucket < TEXTURE_BUCKETS; ++bucket)
     textures[bucket < textures.size() ? bucket : 0].bind(static_cast<GLuint>(UNIT_MATERIAL_TEXTURES + bucket));
-  sky.bind(UNIT_SKY);
 }
 
 void ShadowMaps::bind() const {

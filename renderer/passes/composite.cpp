@@ -16,9 +16,11 @@ gl::Program makeProgram(const gl::Api& api, bool linear) {
 CompositePass::CompositePass(const gl::Api& api)
     : api_(&api), display_(makeProgram(api, false)), linear_(makeProgram(api, true)), vertexArray_(api) {}
 
-void CompositePass::run(const GBuffer& gbuffer, Output output, GLuint framebuffer, const glm::ivec2& origin,
-                        gl::Profiler& profiler) const {
-  const auto section = profiler.section("composite");
+void CompositePass::run(const FrameView& view, const GBuffer& gbuffer, Output output, GLuint framebuffer,
+                        const glm::ivec2& origin) const {
+  const auto section = view.profiler.section("composite");
+  view.constants.bindUniform(UBO_FRAME);
+  view.scene.sky.bind(UNIT_SKY);
   gbuffer.position.bind(UNIT_POSITION);
   gbuffer.normal.bind(UNIT_NORMAL);
   gbuffer.material.bind(UNIT_MATERIAL);

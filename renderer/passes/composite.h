@@ -2,8 +2,7 @@
 
 #include <glm/glm.hpp>
 
-#include <halfsilver/gl/profiler.h>
-#include <halfsilver/products.h>
+#include <halfsilver/frame_view.h>
 #include "gl/framebuffer.h"
 #include "gl/program.h"
 
@@ -19,10 +18,9 @@ class CompositePass {
 
   explicit CompositePass(const gl::Api& api);
 
-  // Draws to colour output 0 of `framebuffer` with its lower left corner at `origin`. Alpha is 1. GpuScene and
-  // UBO_FRAME are bound; units of material textures are bound anew.
-  void run(const GBuffer& gbuffer, Output output, GLuint framebuffer, const glm::ivec2& origin,
-           gl::Profiler& profiler) const;
+  // Draws to color output 0 of `framebuffer` with its lower left corner at `origin`. Alpha is 1.
+  void run(const FrameView& view, const GBuffer& gbuffer, Output output, GLuint framebuffer,
+           const glm::ivec2& origin) const;
 
  private:
   const gl::Api* api_;

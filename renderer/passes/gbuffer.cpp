@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include <halfsilver/shared_structs.h>
+#include "shared/passes/gbuffer.h"
 
 namespace halfsilver {
 namespace {
@@ -40,24 +40,26 @@ GBufferPass::GBufferPass(const gl::Api& api)
   cut_ = gl::Program::raster(api, "passes/visibility.vert", "passes/visibility.frag", cut);
 }
 
-void GBufferPass::run(const GpuScene& scene, GBuffer& out, int width, int height, bool cullBackFaces,
-                      gl::Profiler& profiler) {
+void GBufferPass::run(const FrameView& view, GBuffer& out) const {
+  const auto width = static_cast<int>(view.frame.width), height = static_cast<int>(view.frame.height);
   if (out.width != width || out.height != height) {
     out = GBuffer{};  // the old memory goes before the new comes
     out = allocate(*api_, width, height);
   }
-  const auto section = profiler.section("gbuffer");
-  rasterize(scene, out, cullBackFaces);
-  resolve(out);
+  const auto section = view.profiler.section("gbuffer");
+  rasterize(view, out);
+  resolve(view, out);
 }
 
-void GBufferPass::rasterize(const GpuScene& scene, const GBuffer& out, bool cullBackFaces) const {
+void GBufferPass::rasterize(const FrameView& view, const GBuffer& out) const {
   const gl::Api& gl = *api_;
   framebuffer_.attach(GL_COLOR_ATTACHMENT0, out.visibility);
   framebuffer_.attach(GL_DEPTH_ATTACHMENT, out.depth);
   framebuffer_.bind();
   vertexArray_.bind();
-  scene.drawList.bindStorage(SSBO_DRAW_LIST);
+  view.constants.bindUniform(UBO_FRAME);
+  view.scene.bindSurfaces();
+  view.scene.drawList.bindStorage(SSBO_DRAW_LIST);
   gl.Viewport(0, 0, out.width, out.height);
   gl.Disable(GL_SCISSOR_TEST);
   gl.Disable(GL_BLEND);
@@ -74,9 +76,9 @@ void GBufferPass::rasterize(const GpuScene& scene, const GBuffer& out, bool cull
   const GLfloat farthest = 0;
   gl.ClearNamedFramebufferuiv(framebuffer_.name(), GL_COLOR, 0, nothing);
   gl.ClearNamedFramebufferfv(framebuffer_.name(), GL_DEPTH, 0, &farthest);
-  for (const DrawRange& range : scene.drawRanges) {
+  for (const DrawRange& range : view.scene.drawRanges) {
     (range.cut ? cut_ : opaque_).use();
-    if (cullBackFaces && !range.doubleSided)
+    if (view.frame.cullBackFaces && !range.doubleSided)
       gl.Enable(GL_CULL_FACE);
     else
       gl.Disable(GL_CULL_FACE);
@@ -88,9 +90,11 @@ void GBufferPass::rasterize(const GpuScene& scene, const GBuffer& out, bool cull
   gl.ClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
 }
 
-void GBufferPass::resolve(const GBuffer& out) const {
+void GBufferPass::resolve(const FrameView& view, const GBuffer& out) const {
   const gl::Api& gl = *api_;
   resolve_.use();
+  view.constants.bindUniform(UBO_FRAME);
+  view.scene.bindSurfaces();
   out.visibility.bind(UNIT_VISIBILITY);
   out.position.bindImage(IMAGE_POSITION, GL_WRITE_ONLY);
   out.normal.bindImage(IMAGE_NORMAL, GL_WRITE_ONLY);
@@ -99,7 +103,7 @@ void GBufferPass::resolve(const GBuffer& out) const {
   out.emissive.bindImage(IMAGE_EMISSIVE, GL_WRITE_ONLY);
   gl.DispatchCompute(static_cast<GLuint>((out.width + kTile - 1) / kTile),
                      static_cast<GLuint>((out.height + kTile - 1) / kTile), 1);
-  // This dispatch writes the G-buffer's images; selection, shading and the reading of layers fetch them.
+  // This dispatch writes the G-buffer's images; selection, shading and the layers' read-back fetch them.
   gl.MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
 }
 

@@ -1,25 +1,24 @@
 #pragma once
 
-#include <halfsilver/gl/profiler.h>
-#include <halfsilver/products.h>
+#include <halfsilver/frame_view.h>
 #include "gl/framebuffer.h"
 #include "gl/program.h"
 
 namespace halfsilver {
 
 // Deferred geometry in two steps: rasterization stores which triangle a pixel sees, then a compute pass finds the
-// exact point of that triangle on the pixel's ray and evaluates its material once a pixel (Burns & Hunt, "The
+// exact point of that triangle on the pixel's ray and evaluates its material once per pixel (Burns & Hunt, "The
 // Visibility Buffer: A Cache-Friendly Approach to Deferred Shading", JCGT 2013).
 class GBufferPass {
  public:
   explicit GBufferPass(const gl::Api& api);
 
-  // Section "gbuffer". Allocates `out` anew where its size differs. The scene and UBO_FRAME are bound by the caller.
-  void run(const GpuScene& scene, GBuffer& out, int width, int height, bool cullBackFaces, gl::Profiler& profiler);
+  // Section "gbuffer". Allocates `out` if its size is not the frame's.
+  void run(const FrameView& view, GBuffer& out) const;
 
  private:
-  void rasterize(const GpuScene& scene, const GBuffer& out, bool cullBackFaces) const;
-  void resolve(const GBuffer& out) const;
+  void rasterize(const FrameView& view, const GBuffer& out) const;
+  void resolve(const FrameView& view, const GBuffer& out) const;
 
   const gl::Api* api_;
   gl::Program opaque_, cut_, resolve_;

@@ -137,16 +137,17 @@ void addView(LightList& list, shared::GpuLight& light, int matrix, const Fit& fi
              const glm::ivec4& rectangle, int resolution) {
   list.views.push_back({layer, rectangle, fit.worldToClip});
   light.shadow[matrix] = clipToMap(rectangle, resolution) * fit.worldToClip;
-  light.color.w = fit.texel;
-  if (matrix == 0) light.cone.z = static_cast<float>(layer);
-  light.cone.w = static_cast<float>(matrix + 1);
+  light.shadowTexel = fit.texel;
+  if (matrix == 0) light.shadowLayer = layer;
+  light.shadowLayers = static_cast<std::uint32_t>(matrix + 1);
 }
 
 shared::GpuLight makeLight(vec3 direction, unsigned type, const vec3& color) {
   shared::GpuLight light{};
-  light.directionType = vec4(direction, static_cast<float>(type));
-  light.color = vec4(color, 0);
-  light.cone.z = -1;
+  light.direction = direction;
+  light.type = type;
+  light.color = color;
+  light.shadowLayer = NO_SHADOW;
   return light;
 }
 
@@ -157,11 +158,12 @@ void addLight(LightList& list, const Bounds& bounds, const Light& source, bool s
                         : source.type == LightType::point     ? LIGHT_POINT
                                                               : LIGHT_SPOT;
   shared::GpuLight light = makeLight(direction, type, source.color * source.intensity);
-  light.positionRange = vec4(source.position, source.range);
+  light.position = source.position;
+  light.range = source.range;
   if (source.type == LightType::spot) {
     const float inner = std::cos(source.innerConeAngle), outer = std::cos(source.outerConeAngle);
-    light.cone.x = 1.0f / std::max(1e-3f, inner - outer);
-    light.cone.y = -outer * light.cone.x;
+    light.coneScale = 1.0f / std::max(1e-3f, inner - outer);
+    light.coneOffset = -outer * light.coneScale;
   }
   const glm::ivec4 whole(0, 0, resolution, resolution);
   const vec3 side = std::abs(direction.y) > 0.99f ? vec3(1, 0, 0) : vec3(0, 1, 0);
@@ -230,7 +232,7 @@ vec3 meanIrradiance(const Bounds& bounds, std::span<const Light> lights) {
 void addHemisphere(LightList& list, const vec3& from, const vec3& irradiance, float steady) {
   if (irradiance == vec3(0)) return;
   shared::GpuLight light = makeLight(-from, LIGHT_SKY, irradiance);
-  light.cone.x = steady;
+  light.steadyShare = steady;
   list.lights.push_back(light);
 }
 

@@ -1,11 +1,19 @@
 #include "passes/shade.h"
 
+#include "shared/passes/shade.h"
+
 namespace halfsilver {
 
 ShadePass::ShadePass(const gl::Api& api) : api_(&api), program_(gl::Program::compute(api, "passes/shade.comp")) {}
 
-void ShadePass::run(const GBuffer& gbuffer, gl::Profiler& profiler) const {
-  const auto section = profiler.section("shade");
+void ShadePass::run(const FrameView& view, const GBuffer& gbuffer) const {
+  const auto section = view.profiler.section("shade");
+  api_->ClearTexImage(gbuffer.reflection.name(), 0, GL_RGBA, GL_FLOAT, nullptr);
+  program_.use();
+  view.constants.bindUniform(UBO_FRAME);
+  view.scene.bindTriangles();
+  view.shadows.bind();
+  view.scene.sky.bind(UNIT_SKY);
   gbuffer.position.bind(UNIT_POSITION);
   gbuffer.normal.bind(UNIT_NORMAL);
   gbuffer.baseColor.bind(UNIT_BASE_COLOR);
@@ -13,7 +21,6 @@ void ShadePass::run(const GBuffer& gbuffer, gl::Profiler& profiler) const {
   gbuffer.emissive.bind(UNIT_EMISSIVE);
   gbuffer.visibility.bind(UNIT_VISIBILITY);
   gbuffer.shaded.bindImage(IMAGE_SHADED, GL_WRITE_ONLY);
-  program_.use();
   constexpr int kGroup = 8;
   api_->DispatchCompute(static_cast<GLuint>((gbuffer.width + kGroup - 1) / kGroup),
                         static_cast<GLuint>((gbuffer.height + kGroup - 1) / kGroup), 1);

@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "passes/light_list.h"
+#include "shared/passes/shadow.h"
 
 namespace halfsilver {
 namespace {
@@ -70,6 +71,7 @@ std::vector<std::string> ShadowPass::run(const GpuScene& scene, std::span<const 
   }
   framebuffer.bind();
   vertexArray_.bind();
+  scene.bindSurfaces();
   scene.drawList.bindStorage(SSBO_DRAW_LIST);
   api_->ClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
   api_->Disable(GL_CULL_FACE);

@@ -23,7 +23,7 @@ class ShadowPass {
  public:
   explicit ShadowPass(const gl::Api& api);
 
-  // GpuScene and UBO_FRAME are bound. Replaces `out`. Returns warnings, one line each: lights or directions of the sky
+  // Replaces `out`. Returns warnings, one line each: lights or directions of the sky
   // for which there was no room, or a resolution beyond the device.
   std::vector<std::string> run(const GpuScene& scene, std::span<const Light> lights, const Sky& sky,
                                const Settings& settings, ShadowMaps& out, gl::Profiler& profiler) const;

@@ -17,10 +17,18 @@ void BuildCounters::bind() const { counters_.bindStorage(SSBO_COUNTERS); }
 std::uint64_t BuildCounters::sum(std::uint32_t kind) const {
   // Counts (shaders) are read by the host.
   api_->MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-  const std::vector<GLuint> values = counters_.read<GLuint>(COUNTER_SLOTS * COUNTER_KINDS);
+  return sumOfCounter(counters_.read<GLuint>(COUNTER_SLOTS * COUNTER_KINDS), kind);
+}
+
+std::uint64_t sumOfCounter(std::span<const std::uint32_t> counters, std::uint32_t kind) {
   std::uint64_t sum = 0;
-  for (std::size_t slot = 0; slot < COUNTER_SLOTS; ++slot) sum += values[slot * COUNTER_KINDS + kind];
+  for (std::size_t slot = 0; slot < COUNTER_SLOTS; ++slot) sum += counters[slot * COUNTER_KINDS + kind];
   return sum;
+}
+
+void addFragmentCounts(std::span<const std::uint32_t> counters, TracerMemory& memory) {
+  memory.fragments = sumOfCounter(counters, COUNTER_FRAGMENTS);
+  for (std::uint32_t axis = 0; axis < 3; ++axis) memory.perAxis[axis] = sumOfCounter(counters, COUNTER_STORED_X + axis);
 }
 
 }  // namespace halfsilver

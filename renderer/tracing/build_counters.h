@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include <halfsilver/gl/buffer.h>
+#include <halfsilver/tracer.h>
 
 namespace halfsilver {
 
@@ -19,11 +21,17 @@ class BuildCounters {
   // One kind, summed over its slots. Waits for the GPU.
   std::uint64_t sum(std::uint32_t kind) const;
 
+  const gl::Buffer& buffer() const { return counters_; }
   std::uint64_t bytes() const { return counters_.bytes(); }
 
  private:
   const gl::Api* api_;
   gl::Buffer counters_;
 };
+
+// One kind of a copy of the counters, summed over its slots.
+std::uint64_t sumOfCounter(std::span<const std::uint32_t> counters, std::uint32_t kind);
+// TracerMemory::fragments and perAxis of a copy of the counters.
+void addFragmentCounts(std::span<const std::uint32_t> counters, TracerMemory& memory);
 
 }  // namespace halfsilver

@@ -56,15 +56,16 @@ void PagePool::bind(const gl::Program& program) const {
 
 void PagePool::report(TracerMemory& memory, std::uint64_t entryBytes) const {
   memory.heads = headBytes();
-  memory.fragments = counters_.sum(COUNTER_FRAGMENTS);
-  for (std::uint32_t axis = 0; axis < 3; ++axis) {
-    memory.perAxis[axis] = counters_.sum(COUNTER_STORED_X + axis);
-    memory.fragmentsStored += memory.perAxis[axis];
-  }
   memory.poolReserved = capacity() * entryBytes + linkBytes();
-  memory.poolUsed = memory.fragmentsStored * entryBytes;
   memory.bytesPerFragment = static_cast<double>(entryBytes);
   memory.structureTotal = memory.voxels + memory.heads + memory.poolReserved + counters_.bytes();
+}
+
+void PagePool::addCounts(std::span<const std::uint32_t> counters, TracerMemory& memory) {
+  addFragmentCounts(counters, memory);
+  memory.fragmentsStored = memory.perAxis[0] + memory.perAxis[1] + memory.perAxis[2];
+  memory.poolUsed = memory.fragmentsStored * static_cast<std::uint64_t>(memory.bytesPerFragment);
+  memory.lostFragments = sumOfCounter(counters, COUNTER_LOST);
 }
 
 }  // namespace halfsilver

@@ -36,8 +36,10 @@ class PagePool {
   std::uint64_t headBytes() const { return heads_.bytes(); }
   std::uint64_t linkBytes() const { return links_.bytes(); }
 
-  // Fills what a pool with entries of this size knows: heads, pool, fragments.
+  // Fills what a pool with entries of this size knows: heads and pool. addCounts(): fragments, of a copy of the
+  // counters.
   void report(TracerMemory& memory, std::uint64_t entryBytes) const;
+  static void addCounts(std::span<const std::uint32_t> counters, TracerMemory& memory);
 
  private:
   const gl::Api* api_;

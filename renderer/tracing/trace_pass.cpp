@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <limits>
 
-#include <halfsilver/shared_structs.h>
+#include "shared/tracing.h"
 
 namespace halfsilver {
 namespace {
@@ -48,14 +48,22 @@ void TracePass::dispatch(const RayQueue& rays) const {
   api_->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
 }
 
-void TracePass::bind(const RayQueue& rays, const Hits& hits) const {
+void TracePass::bind(const FrameView& view, const RayQueue& rays, const Hits& hits) const {
+  view.constants.bindUniform(UBO_FRAME);
+  view.scene.bindSurfaces();
   rays.rays.bindStorage(SSBO_RAYS);
   rays.count.bindStorage(SSBO_RAY_COUNT);
   hits.hits.bindStorage(SSBO_HITS);
   if (hits.surfaces) hits.surfaces.bindStorage(SSBO_HIT_SURFACES);
+  paused_.bindStorage(SSBO_PAUSED);
 }
 
-void TracePass::run(const RayQueue& rays, const Hits& hits, gl::Profiler& profiler, const Supply& supply) const {
+void TracePass::run(const FrameView& view, const RayQueue& rays, const Hits& hits, const Supply& supply) {
+  const std::size_t pausedBytes = rays.capacity * sizeof(shared::PausedRay);
+  if (paused_.bytes() < pausedBytes) {
+    paused_ = gl::Buffer();
+    paused_ = gl::Buffer(*api_, pausedBytes, "paused rays");
+  }
   // The queue (selection, shading) is read as arguments of the dispatch and by the trace.
   api_->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
   const bool limited = api_->software;
@@ -66,8 +74,8 @@ void TracePass::run(const RayQueue& rays, const Hits& hits, gl::Profiler& profil
     more = more && i + 1 < kMostDispatches;
     GLuint unfinished = 0;
     {
-      const auto scope = profiler.section("trace");
-      bind(rays, hits);
+      const auto scope = view.profiler.section("trace");
+      bind(view, rays, hits);
       program_.set("resuming", i > 0 ? 1 : 0);
       program_.set("lastDispatch", more ? 0 : 1);
       dispatch(rays);

@@ -3,8 +3,7 @@
 #include <functional>
 #include <span>
 
-#include <halfsilver/gl/profiler.h>
-#include <halfsilver/products.h>
+#include <halfsilver/frame_view.h>
 #include <halfsilver/settings.h>
 #include "gl/framebuffer.h"
 #include "gl/program.h"
@@ -25,16 +24,17 @@ class TracePass {
 
   // Section "trace". The method has bound its structure. Ends with the hits readable by shaders. Without `supply` and
   // where the driver lets loops run, one dispatch does it all and nothing waits for the GPU.
-  void run(const RayQueue& rays, const Hits& hits, gl::Profiler& profiler, const Supply& supply = {}) const;
+  void run(const FrameView& view, const RayQueue& rays, const Hits& hits, const Supply& supply = {});
 
  private:
-  void bind(const RayQueue& rays, const Hits& hits) const;
+  void bind(const FrameView& view, const RayQueue& rays, const Hits& hits) const;
   void dispatch(const RayQueue& rays) const;
 
   const gl::Api* api_;
   TraceStage stage_;
   gl::Program program_;
   gl::EmptyVertexArray vertexArray_;
+  gl::Buffer paused_;  // PausedRay[capacity of the largest queue]
 };
 
 }  // namespace halfsilver

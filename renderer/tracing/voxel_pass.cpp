@@ -31,8 +31,8 @@ VoxelPass::VoxelPass(const gl::Api& api, VoxelRaster raster, AxisRule axis)
   if (axis != AxisRule::own) chooseAxis_ = gl::Program::compute(api, "tracing/voxel_axis.comp");
 }
 
-void VoxelPass::run(const GpuScene& scene, const Grid& grid, Voxels& out, gl::Profiler& profiler) const {
-  const auto scope = profiler.section("voxelize");
+void VoxelPass::run(const FrameView& view, const Grid& grid, Voxels& out) const {
+  const auto scope = view.profiler.section("voxelize");
   const std::size_t words = (grid.voxelCount() + VOXELS_PER_WORD - 1) / VOXELS_PER_WORD;
   if (out.words.bytes() != words * sizeof(GLuint)) out.words = gl::Buffer(*api_, words * sizeof(GLuint), "voxel grid");
   out.words.fill(0);
@@ -56,7 +56,8 @@ void VoxelPass::run(const GpuScene& scene, const Grid& grid, Voxels& out, gl::Pr
   rasterize_.set("ownAxis", allProjections ? 0 : 1);
   rasterize_.set("rasterResolution", resolution);
   rasterize_.set("absoluteNormals", axis_ == AxisRule::area ? 1 : 0);
-  rasterizeScene(*api_, rasterize_, vertexArray_, scene,
+  view.scene.bindTriangles();
+  rasterizeScene(*api_, rasterize_, vertexArray_, view.scene,
                  {.resolution = resolution,
                   .projections = allProjections ? 3 : 1,
                   .verticesPerTriangle = raster_ == VoxelRaster::conservative ? 6 : 3});

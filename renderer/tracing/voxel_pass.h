@@ -1,7 +1,6 @@
 #pragma once
 
-#include <halfsilver/gl/profiler.h>
-#include <halfsilver/products.h>
+#include <halfsilver/frame_view.h>
 #include <halfsilver/settings.h>
 #include "gl/framebuffer.h"
 #include "gl/program.h"
@@ -24,8 +23,8 @@ class VoxelPass {
  public:
   VoxelPass(const gl::Api& api, VoxelRaster raster, AxisRule axis);
 
-  // Section "voxelize". GpuScene and UBO_FRAME are bound. Ends with the grid readable by shaders.
-  void run(const GpuScene& scene, const Grid& grid, Voxels& out, gl::Profiler& profiler) const;
+  // Section "voxelize". Ends with the grid readable by shaders.
+  void run(const FrameView& view, const Grid& grid, Voxels& out) const;
 
  private:
   const gl::Api* api_;

@@ -35,9 +35,9 @@ bool cutAway(uint triangle, vec2 barycentrics) {
   GpuTexture use = materials[corners.w].textures[TEXTURE_BASE_COLOR];
   if (hasTexture(use)) {
     bool second = (use.sampling & SAMPLING_UV_SET) != 0u;
-    vec2 a = second ? attributes[corners.x].uv.yz : vec2(attributes[corners.x].normalU.w, attributes[corners.x].uv.x);
-    vec2 b = second ? attributes[corners.y].uv.yz : vec2(attributes[corners.y].normalU.w, attributes[corners.y].uv.x);
-    vec2 c = second ? attributes[corners.z].uv.yz : vec2(attributes[corners.z].normalU.w, attributes[corners.z].uv.x);
+    vec2 a = second ? attributes[corners.x].uv1 : attributes[corners.x].uv0;
+    vec2 b = second ? attributes[corners.y].uv1 : attributes[corners.y].uv0;
+    vec2 c = second ? attributes[corners.z].uv1 : attributes[corners.z].uv0;
     float u = alphaInterpolate(a.x, b.x, c.x, barycentrics.x, barycentrics.y);
     float v = alphaInterpolate(a.y, b.y, c.y, barycentrics.x, barycentrics.y);
     ivec2 size = textureExtent(use);
@@ -51,5 +51,5 @@ bool cutAway(uint triangle, vec2 barycentrics) {
     texel = alphaBlend(texels.x, texels.y, texels.z, texels.w, x.weight, y.weight);
   }
   float factor = (flags & MATERIAL_BLEND) != 0u ? 1.0 : materials[corners.w].baseColor.a;
-  return alphaBelow(texel, vertexAlpha, factor, materials[corners.w].emissiveCutoff.w);
+  return alphaBelow(texel, vertexAlpha, factor, materials[corners.w].alphaCutoff);
 }

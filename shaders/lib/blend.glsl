@@ -19,7 +19,7 @@ Blend blendOf(ivec2 pixel) {
   bool unlit = material.a < 0.0;
   if (position.w <= 0.0 || unlit) return Blend(shaded.rgb, vec3(0.0), vec3(0.0));
   vec3 normal = texelFetch(gNormal, pixel, 0).xyz;
-  vec3 direction = normalize(position.xyz - frame.eye.xyz);
+  vec3 direction = normalize(position.xyz - frame.eye);
   float cosine = -dot(normal, direction);
   vec3 share = reflectionShare(material.rgb, material.a, cosine);
   vec3 sky = skyRadiance(reflect(direction, normal), material.a) * shaded.a;

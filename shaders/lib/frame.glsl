@@ -13,5 +13,5 @@ vec2 screenPosition(ivec2 pixel) {
 // Through the pixel's centre, not normalised: its component along frame.forward is 1.
 vec3 pixelRay(ivec2 pixel) {
   vec2 screen = screenPosition(pixel);
-  return frame.forward.xyz + screen.x * frame.right.xyz + screen.y * frame.up.xyz;
+  return frame.forward + screen.x * frame.right + screen.y * frame.up;
 }

@@ -36,8 +36,8 @@ float filteredShadow(vec3 place, float layer, vec2 gradient) {
 // Orthographic maps: each tap is compared with the receiver's plane, so a flat surface never shadows itself and
 // nothing has to be moved.
 float directionalShadow(uint light, vec3 position, vec3 normal) {
-  float layer = lights[light].cone.z;
-  if (layer < 0.0) return 1.0;
+  int layer = lights[light].shadowLayer;
+  if (layer < 0) return 1.0;
   mat4 m = lights[light].shadow[0];
   vec3 place = (m * vec4(position, 1.0)).xyz;
   vec3 u = vec3(m[0].x, m[1].x, m[2].x);
@@ -46,19 +46,19 @@ float directionalShadow(uint light, vec3 position, vec3 normal) {
   // Depth falls along the normal; at grazing angles the plane is cut short, there is no light to lose there.
   float towards = max(-dot(normal, w) / dot(w, w), 1e-3 * inversesqrt(dot(w, w)));
   vec2 slope = vec2(dot(normal, u) / dot(u, u), dot(normal, v) / dot(v, v)) / towards;
-  return filteredShadow(place, layer, slope / vec2(textureSize(shadowMaps, 0).xy));
+  return filteredShadow(place, float(layer), slope / vec2(textureSize(shadowMaps, 0).xy));
 }
 
 // Perspective maps: the receiver is moved along its normal by as much as the filter's reach can rise above its plane.
 float positionalShadow(uint light, vec3 position, vec3 normal, vec3 toLight, float distanceToLight) {
-  float layer = lights[light].cone.z;
-  if (layer < 0.0) return 1.0;
+  int layer = lights[light].shadowLayer;
+  if (layer < 0) return 1.0;
   float cosine = dot(normal, toLight);
-  float reach = 2.5 * lights[light].color.w * distanceToLight;
+  float reach = 2.5 * lights[light].shadowTexel * distanceToLight;
   vec3 moved = position + normal * (reach * sqrt(max(1.0 - cosine * cosine, 0.0))) + toLight * (0.1 * reach);
   int face = 0;
-  if (lights[light].cone.w > 1.5) {
-    vec3 away = moved - lights[light].positionRange.xyz;
+  if (lights[light].shadowLayers > 1u) {
+    vec3 away = moved - lights[light].position;
     vec3 size = abs(away);
     if (size.x >= size.y && size.x >= size.z)
       face = away.x > 0.0 ? 0 : 1;
@@ -69,21 +69,21 @@ float positionalShadow(uint light, vec3 position, vec3 normal, vec3 toLight, flo
   }
   vec4 place = lights[light].shadow[face] * vec4(moved, 1.0);
   if (place.w <= 0.0) return 1.0;
-  return filteredShadow(place.xyz / place.w, layer + float(face), vec2(0.0));
+  return filteredShadow(place.xyz / place.w, float(layer + face), vec2(0.0));
 }
 
 // Inverse square with a range window and the spot's cone (KHR_lights_punctual).
 float attenuation(uint light, vec3 toLight, float distanceToLight) {
-  float range = lights[light].positionRange.w;
+  float range = lights[light].range;
   float window = 1.0;
   if (range > 0.0) {
     float x = distanceToLight / range;
     window = clamp(1.0 - x * x * x * x, 0.0, 1.0);
   }
   float cone = 1.0;
-  if (uint(lights[light].directionType.w) == LIGHT_SPOT) {
-    float cosine = dot(lights[light].directionType.xyz, -toLight);
-    cone = clamp(cosine * lights[light].cone.x + lights[light].cone.y, 0.0, 1.0);
+  if (lights[light].type == LIGHT_SPOT) {
+    float cosine = dot(lights[light].direction, -toLight);
+    cone = clamp(cosine * lights[light].coneScale + lights[light].coneOffset, 0.0, 1.0);
   }
   return window * cone * cone / max(distanceToLight * distanceToLight, 1e-8);
 }
@@ -98,31 +98,31 @@ vec4 directLighting(Surface s, vec3 toEye) {
   float seen = 0.0, facing = 0.0, all = 0.0;
 
   for (uint i = 0u; i < frame.lightCount; ++i) {
-    vec4 directionType = lights[i].directionType;
-    uint type = uint(directionType.w);
-    vec3 color = lights[i].color.rgb;
+    vec3 lightDirection = lights[i].direction;
+    uint type = lights[i].type;
+    vec3 color = lights[i].color;
     if (type == LIGHT_SKY) {
-      float nl = -dot(s.normal, directionType.xyz);
-      if (lights[i].cone.z < 0.0) {
+      float nl = -dot(s.normal, lightDirection);
+      if (lights[i].shadowLayer < 0) {
         vec3 irradiance = color * (0.5 + 0.5 * nl);
-        steadyBounce += irradiance * lights[i].cone.x;
-        openBounce += irradiance * (1.0 - lights[i].cone.x);
+        steadyBounce += irradiance * lights[i].steadyShare;
+        openBounce += irradiance * (1.0 - lights[i].steadyShare);
         continue;
       }
       float weight = luminance(color);
       all += weight;
       if (nl <= 0.0) continue;
       facing += weight * nl;
-      if (dot(s.geometricNormal, directionType.xyz) >= 0.0) continue;
+      if (dot(s.geometricNormal, lightDirection) >= 0.0) continue;
       float lit = directionalShadow(i, s.position, s.geometricNormal);
       seen += weight * nl * lit;
       skyIrradiance += color * (nl * lit);
       continue;
     }
-    vec3 toLight = -directionType.xyz;
+    vec3 toLight = -lightDirection;
     float distanceToLight = 0.0;
     if (type != LIGHT_DIRECTIONAL) {
-      toLight = lights[i].positionRange.xyz - s.position;
+      toLight = lights[i].position - s.position;
       distanceToLight = length(toLight);
       toLight /= max(distanceToLight, 1e-20);
       color *= attenuation(i, toLight, distanceToLight);

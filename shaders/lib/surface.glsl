@@ -56,23 +56,27 @@ Surface evaluateSurface(uint triangle, vec2 barycentrics, vec3 direction, float 
   s.geometricNormal = doubleArea > 0.0 ? area / doubleArea : -direction;
   if (dot(s.geometricNormal, direction) > 0.0) s.geometricNormal = -s.geometricNormal;
 
-  mat3x4 normalU = mat3x4(attributes[corners.x].normalU, attributes[corners.y].normalU, attributes[corners.z].normalU);
-  mat3x4 uvs = mat3x4(attributes[corners.x].uv, attributes[corners.y].uv, attributes[corners.z].uv);
-  mat3x4 tangents = mat3x4(attributes[corners.x].tangent, attributes[corners.y].tangent, attributes[corners.z].tangent);
+  mat3 normals = mat3(attributes[corners.x].normal, attributes[corners.y].normal, attributes[corners.z].normal);
+  mat3 tangents = mat3(attributes[corners.x].tangent, attributes[corners.y].tangent, attributes[corners.z].tangent);
+  vec3 bitangentSigns = vec3(attributes[corners.x].bitangentSign, attributes[corners.y].bitangentSign,
+                             attributes[corners.z].bitangentSign);
+  // Both uv sets, xy and zw.
+  mat3x4 uvs = mat3x4(vec4(attributes[corners.x].uv0, attributes[corners.x].uv1),
+                      vec4(attributes[corners.y].uv0, attributes[corners.y].uv1),
+                      vec4(attributes[corners.z].uv0, attributes[corners.z].uv1));
   vec4 vertexColor = mat3x4(attributes[corners.x].color, attributes[corners.y].color, attributes[corners.z].color) *
                      weights;
-  vec4 normalU0 = normalU * weights;
-  vec4 uv = uvs * weights;
-  vec4 tangent = tangents * weights;
+  vec3 vertexNormal = normals * weights;
+  vec3 tangent = tangents * weights;
+  float bitangentSign = bitangentSigns.x * weights.x + bitangentSigns.y * weights.y + bitangentSigns.z * weights.z;
 
   vec3 major, minor;
   coneFootprint(s.geometricNormal, direction, coneWidth, major, minor);
   vec2 changeX = barycentricChange(edge1, edge2, area, major);
   vec2 changeY = barycentricChange(edge1, edge2, area, minor);
-  // Both uv sets, xy and zw, and their edges.
-  vec4 coordinates = vec4(normalU0.w, uv.xyz);
-  vec4 uvEdge1 = vec4(normalU[1].w - normalU[0].w, uvs[1].xyz - uvs[0].xyz);
-  vec4 uvEdge2 = vec4(normalU[2].w - normalU[0].w, uvs[2].xyz - uvs[0].xyz);
+  vec4 coordinates = uvs * weights;
+  vec4 uvEdge1 = uvs[1] - uvs[0];
+  vec4 uvEdge2 = uvs[2] - uvs[0];
   vec4 ddx = changeX.x * uvEdge1 + changeX.y * uvEdge2;
   vec4 ddy = changeY.x * uvEdge1 + changeY.y * uvEdge2;
 
@@ -94,17 +98,17 @@ Surface evaluateSurface(uint triangle, vec2 barycentrics, vec3 direction, float 
 
   s.unlit = (flags & MATERIAL_UNLIT) != 0u && !mirror;
   s.baseColor = (materials[m].baseColor * vertexColor * texels[TEXTURE_BASE_COLOR]).rgb;
-  s.emissive = materials[m].emissiveCutoff.rgb * texels[TEXTURE_EMISSIVE].rgb;
+  s.emissive = materials[m].emissive * texels[TEXTURE_EMISSIVE].rgb;
   s.roughness = clamp(materials[m].roughness * texels[TEXTURE_METALLIC_ROUGHNESS].g, 0.0, 1.0);
   s.metallic = clamp(materials[m].metallic * texels[TEXTURE_METALLIC_ROUGHNESS].b, 0.0, 1.0);
   s.occlusion = 1.0 + materials[m].occlusionStrength * (texels[TEXTURE_OCCLUSION].r - 1.0);
-  vec3 dielectric = min(materials[m].dielectricF0 * materials[m].specular.rgb * texels[TEXTURE_SPECULAR_COLOR].rgb,
+  vec3 dielectric = min(materials[m].dielectricF0 * materials[m].specularColor * texels[TEXTURE_SPECULAR_COLOR].rgb,
                         vec3(1.0)) *
-                    (materials[m].specular.w * texels[TEXTURE_SPECULAR].a);
+                    (materials[m].specularFactor * texels[TEXTURE_SPECULAR].a);
   s.f0 = mix(dielectric, s.baseColor, s.metallic);
 
   // Degenerate attributes fall back to the triangle itself.
-  vec3 normal = dot(normalU0.xyz, normalU0.xyz) > 1e-12 ? normalize(normalU0.xyz) : s.geometricNormal;
+  vec3 normal = dot(vertexNormal, vertexNormal) > 1e-12 ? normalize(vertexNormal) : s.geometricNormal;
   float side = dot(normal, s.geometricNormal) < 0.0 ? -1.0 : 1.0;
   if (mirror) {
     s.f0 = vec3(materials[m].mirror);
@@ -113,10 +117,10 @@ Surface evaluateSurface(uint triangle, vec2 barycentrics, vec3 direction, float 
   } else if (materials[m].textures[TEXTURE_NORMAL].location != NO_TEXTURE) {
     vec3 mapped = texels[TEXTURE_NORMAL].xyz * 2.0 - 1.0;
     mapped.xy *= materials[m].normalScale;
-    vec3 along = tangent.xyz - dot(tangent.xyz, normal) * normal;
+    vec3 along = tangent - dot(tangent, normal) * normal;
     if (dot(along, along) > 1e-12) {
       along = normalize(along);
-      vec3 bitangent = cross(normal, along) * (tangent.w < 0.0 ? -1.0 : 1.0);
+      vec3 bitangent = cross(normal, along) * (bitangentSign < 0.0 ? -1.0 : 1.0);
       vec3 bumped = mapped.x * along + mapped.y * bitangent + mapped.z * normal;
       if (dot(bumped, bumped) > 1e-12) normal = normalize(bumped);
     }

@@ -15,7 +15,7 @@ vec4 neighbours(ivec2 pixel) {
   const float ALIKE = 64.0;
   vec4 position = texelFetch(gPosition, pixel, 0);
   vec3 normal = texelFetch(gNormal, pixel, 0).xyz;
-  float pixelWidth = position.w * frame.eye.w;
+  float pixelWidth = position.w * frame.pixelCone;
   vec4 sum = vec4(0.0);
   for (int y = -REACH; y <= REACH; ++y)
     for (int x = -REACH; x <= REACH; ++x) {

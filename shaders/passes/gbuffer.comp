@@ -1,6 +1,7 @@
-// From triangle numbers to surfaces, one a pixel.
+// From triangle numbers to surfaces, one per pixel.
 #include "lib/pixel_triangle.glsl"
 #include "lib/surface.glsl"
+#include "shared/passes/gbuffer.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -19,8 +20,8 @@ void main() {
   if (visible != 0u) {
     TrianglePoint point = pointOnTriangle(visible - 1u, pixelRay(pixel));
     float range = length(point.relative);
-    Surface s = evaluateSurface(visible - 1u, point.barycentrics, normalize(point.relative), frame.eye.w * range);
-    position = vec4(point.position, dot(point.relative, frame.forward.xyz));
+    Surface s = evaluateSurface(visible - 1u, point.barycentrics, normalize(point.relative), frame.pixelCone * range);
+    position = vec4(point.position, dot(point.relative, frame.forward));
     normal = vec4(s.normal, s.reflectivity);
     baseColor = vec4(s.baseColor, s.occlusion);
     material = vec4(s.f0, s.unlit ? -1.0 : s.roughness);

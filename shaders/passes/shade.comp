@@ -2,6 +2,7 @@
 #include "lib/gbuffer.glsl"
 #include "lib/lights.glsl"
 #include "lib/sky.glsl"
+#include "shared/passes/shade.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -20,7 +21,7 @@ void main() {
   vec4 emissive = texelFetch(gEmissive, pixel, 0);
   vec4 normal = texelFetch(gNormal, pixel, 0);
   uint triangle = texelFetch(gVisibility, pixel, 0).r - 1u;
-  vec3 toEye = normalize(frame.eye.xyz - position.xyz);
+  vec3 toEye = normalize(frame.eye - position.xyz);
 
   vec3 a, b, c;
   trianglePositions(triangle, a, b, c);

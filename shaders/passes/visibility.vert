@@ -1,5 +1,6 @@
 // Triangles of the draw list, pulled by number.
 #include "lib/scene.glsl"
+#include "shared/passes/gbuffer.h"
 
 layout(std430, binding = SSBO_DRAW_LIST) readonly buffer DrawListBlock { uint drawList[]; };
 
@@ -9,10 +10,10 @@ void main() {
   triangle = drawList[gl_VertexID / 3];
   uvec4 corners = triangleAt(triangle);
   // Relative to the eye before the rotation: exact also where the scene is much larger than what is seen.
-  vec3 relative = vertexPosition(corners[gl_VertexID % 3]) - frame.eye.xyz;
-  float w = dot(relative, frame.forward.xyz);
-  float near = frame.forward.w, far = frame.right.w;
+  vec3 relative = vertexPosition(corners[gl_VertexID % 3]) - frame.eye;
+  float w = dot(relative, frame.forward);
+  float near = frame.nearPlane, far = frame.farPlane;
   float z = far > 0.0 ? near * (far - w) / (far - near) : near;
-  gl_Position = vec4(dot(relative, frame.right.xyz) / dot(frame.right.xyz, frame.right.xyz),
-                     dot(relative, frame.up.xyz) / dot(frame.up.xyz, frame.up.xyz), z, w);
+  gl_Position = vec4(dot(relative, frame.right) / dot(frame.right, frame.right),
+                     dot(relative, frame.up) / dot(frame.up, frame.up), z, w);
 }

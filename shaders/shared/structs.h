@@ -1,5 +1,6 @@
-// Structs that C++ writes and GLSL reads (or the other way round). Only 16-byte members and 4-byte scalars in groups
-// of four, so that std140, std430 and C++ agree; the static_asserts in frame/shared_structs.h hold them to it.
+// Structs that C++ writes and GLSL reads (or the other way round). A vec3 is followed by a scalar, vec2s come in pairs
+// and whole rows of 16 bytes are filled, so that std140, std430 and C++ agree; frame/shared_structs.h asserts every
+// offset and size.
 #ifndef HALFSILVER_STRUCTS_H
 #define HALFSILVER_STRUCTS_H
 
@@ -13,11 +14,11 @@
 
 // Bits of GpuMaterial::flags.
 #define MATERIAL_DOUBLE_SIDED 1u
-#define MATERIAL_CUT 2u    // alpha is tested against `cutoff`
+#define MATERIAL_CUT 2u    // alpha is tested against `alphaCutoff`
 #define MATERIAL_BLEND 4u  // the factor's alpha is left out of the test
 #define MATERIAL_UNLIT 8u
 #define MATERIAL_MIRROR 16u        // f0 is `mirror`, roughness 0, no normal map
-#define MATERIAL_TEXTURES_SHIFT 8  // from this bit on: which of the textures there are
+#define MATERIAL_TEXTURES_SHIFT 8  // from this bit on: which of the textures exist
 
 // GpuTexture::sampling: bits 0..1 wrap u, 2..3 wrap v (0 repeat, 1 mirror, 2 clamp), 4 nearest magnification,
 // 5 nearest minification, 6 no mipmaps, 7 uv set.
@@ -26,14 +27,18 @@
 #define LIGHT_POINT 1u
 #define LIGHT_SPOT 2u
 // Lights the diffuse lobe only. With a shadow layer: a direction that stands for a part of the sky. Without: half the
-// sphere around the direction, evenly bright; the share 1 - cone.x of it is scaled by the sky's visibility.
+// sphere around the direction, evenly bright; all but `steadyShare` of it is scaled by the sky's visibility.
 #define LIGHT_SKY 3u
+#define NO_SHADOW -1
 
 struct VertexAttributes {
-  vec4 normalU;  // xyz normal, w uv0.x
-  vec4 tangent;  // xyz tangent, w bitangent sign
-  vec4 uv;       // uv0.y, uv1.x, uv1.y, unused
-  vec4 color;    // linear
+  vec3 normal;
+  float bitangentSign;
+  vec3 tangent;
+  float padding;
+  vec2 uv0;
+  vec2 uv1;
+  vec4 color;  // linear
 };
 
 struct GpuTexture {
@@ -44,8 +49,10 @@ struct GpuTexture {
 
 struct GpuMaterial {
   vec4 baseColor;
-  vec4 emissiveCutoff;  // rgb emissive, w alpha cutoff
-  vec4 specular;        // rgb specular colour, w specular factor
+  vec3 emissive;
+  float alphaCutoff;
+  vec3 specularColor;
+  float specularFactor;
   float metallic;
   float roughness;
   float normalScale;
@@ -65,21 +72,50 @@ struct GpuMaterial {
 #define TEXTURE_SPECULAR_COLOR 6
 
 struct GpuLight {
-  vec4 positionRange;  // xyz, w range (0: unlimited)
-  vec4 directionType;  // xyz the way the light travels, w type as float
-  vec4 color;          // linear times intensity; w width of a shadow texel, metres (point, spot: at distance 1)
-  vec4 cone;           // x scale and y offset of the spot's angular falloff; z first shadow layer or -1; w layers
-  mat4 shadow[6];      // world to shadow map, a matrix a layer
+  vec3 position;
+  float range;  // metres; 0: unlimited
+  vec3 direction;  // unit, the way the light travels
+  uint type;       // LIGHT_...
+  vec3 color;         // linear, times intensity
+  float shadowTexel;  // width of a shadow texel, metres (point, spot: at distance 1)
+  float coneScale;    // spot: angular falloff = clamp(cosine * scale + offset)
+  float coneOffset;
+  int shadowLayer;    // the first, or NO_SHADOW
+  uint shadowLayers;
+  float steadyShare;  // LIGHT_SKY without a shadow layer, 0..1
+  float padding0;
+  float padding1;
+  float padding2;
+  mat4 shadow[6];  // world to shadow map, one matrix per layer
 };
 
-// One reflected ray (48 bytes).
+// One ray as a tracer sees it.
 struct Ray {
-  vec4 originPixel;       // xyz; w uintBitsToFloat(y * width + x)
-  vec4 directionExclude;  // unit xyz; w uintBitsToFloat(triangle that the ray starts on)
-  vec4 throughput;        // rgb; w path length from the eye to the origin, metres (for texture footprints)
+  vec3 origin;        // relative to Scene::origin, metres
+  float maxDistance;  // hits beyond are misses, metres; FAR_AWAY: none is too far
+  vec3 direction;     // unit
+  uint excluded;      // triangle that the ray starts on, or NO_TRIANGLE
+};
+#define FAR_AWAY 3.0e38f
+
+// What an effect knows of the same ray, at the same index.
+struct RayPath {
+  vec3 throughput;
+  float pathLength;  // from the eye to the origin, metres (for texture footprints)
+  uint pixel;        // y * width + x, row 0 at the bottom
+  uint slot;         // where its light is summed; no two rays of a dispatch share one
+  uint kind;         // RAY_...
+  uint padding;
+};
+#define RAY_REFLECTION 0u
+
+// Light that the rays of one slot have gathered.
+struct Radiance {
+  vec3 sum;
+  uint answered;  // 1 if the slot's first ray hit or missed, 0 if it was given up or never traced
 };
 
-// Filled by the selection; `groups*` is an indirect dispatch of 64 rays a group.
+// Filled by the effect; `groups*` is an indirect dispatch of 64 rays per group.
 struct RayCount {
   uint groupsX;
   uint groupsY;
@@ -115,10 +151,20 @@ struct Hit {
   float v;  // of the third
 };
 
+// A ray that waits for the next dispatch, at the ray's index; Hit::triangle is then UNFINISHED_TRIANGLE.
+struct PausedRay {
+  float t;            // where to go on, metres
+  uint bestTriangle;  // nearest so far + 1, or 0
+  uint tested;        // candidates of the voxel at t that are done
+  uint incomplete;    // 1 if the ray came by something that is missing from the structure
+};
+
 // Surface attributes of a hit as a method stored them (Kastrati & Goswami 2017, figure 2).
 struct HitSurface {
-  vec4 baseColor;           // rgb; w unused
-  vec4 normalReflectivity;  // unit xyz, w reflectivity
+  vec3 baseColor;
+  float padding;
+  vec3 normal;  // unit
+  float reflectivity;
 };
 
 // FrameConstants::fill.
@@ -129,35 +175,39 @@ struct HitSurface {
 #define CONTRIBUTION_CLASSES 256
 #define CONTRIBUTION_OCTAVES 16
 
-// Constants of one frame.
+// Constants of one frame. A pixel's ray is forward + x * right + y * up, x and y in -1..1.
 struct FrameConstants {
   mat4 viewProjection;
-  vec4 eye;         // xyz; w pixel cone: width at distance 1
-  vec4 forward;     // unit; w near plane
-  vec4 right;       // times tan(half fov) times aspect; pixel ray = forward + x * right + y * up, x, y in -1..1;
-                    // w far plane, 0: infinite
-  vec4 up;          // times tan(half fov)
-  vec4 boundsLow;   // scene bounds; w diagonal
-  vec4 boundsHigh;  // w smallest hit distance (1e-5 of the diagonal)
-  vec4 skyZenith;   // rgb times intensity; w 1 where the sky is an image
-  vec4 skyHorizon;  // w the image's intensity
-  vec4 skyGround;
-  uint width;
+  vec3 eye;
+  float pixelCone;  // a pixel's width at distance 1
+  vec3 forward;     // unit
+  float nearPlane;  // metres
+  vec3 right;       // times tan(half fov) times aspect
+  float farPlane;   // metres; 0: infinite
+  vec3 up;          // times tan(half fov)
+  float minDistance;  // nearer hits are ignored, metres
+  vec3 boundsLow;  // of the scene
+  float diagonal;  // of the bounds, metres
+  vec3 boundsHigh;
+  uint skyIsImage;
+  vec3 skyZenith;  // times intensity, as the next two
+  float skyIntensity;
+  vec3 skyHorizon;
+  uint toneMap;  // 0 filmic, 1 none
+  vec3 skyGround;
+  float exposure;  // factor
+  uint width;      // pixels
   uint height;
   uint lightCount;
   uint cullBackFaces;
   float maxRoughness;
   float minReflectivity;
   float selectFraction;
-  float exposure;   // factor
-  uint selectMode;  // 0 none, 1 reflective, 2 all
-  uint toneMap;     // 0 filmic, 1 none
-  uint bounces;
-  uint selectPattern;  // 0 scattered, 1 region
   float minContribution;
-  uint fill;
-  uint padding0;
-  uint padding1;
+  uint selectMode;     // 0 none, 1 reflective, 2 all
+  uint selectPattern;  // 0 scattered, 1 region
+  uint fill;           // FILL_...
+  uint bounces;
 };
 
 #endif

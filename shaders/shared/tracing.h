@@ -2,6 +2,8 @@
 #ifndef HALFSILVER_TRACING_H
 #define HALFSILVER_TRACING_H
 
+#include "shared/passes/tracing.h"
+
 // Voxels are packed eight to a word: four bits each, of which bits 0..2 say in which A-buffers (x, y, z) the voxel's
 // fragments are. Bit 3 is set where moved triangles came to at the last move (identity only).
 #define VOXELS_PER_WORD 8

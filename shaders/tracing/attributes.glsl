@@ -170,10 +170,10 @@ void searchBuffer(TraceRay ray, int axis, float begin, float end, inout Hit best
 }
 
 // From voxel to voxel until one answers: one surface a voxel is the methods' assumption, and the first one found ends
-// the search. False where the ray is not through; `t` is then the voxel to go on with, and `left` tells the next
-// dispatch whether something was missing so far.
-bool march(TraceRay ray, inout float t, float end, inout vec2 left, inout Hit best) {
-  incomplete = left.x > 0.0;
+// the search. False if the ray is not through; `pause` then says how to go on.
+bool march(TraceRay ray, float end, inout PausedRay pause, inout Hit best) {
+  incomplete = pause.incomplete != 0u;
+  float t = pause.t;
   int work = 0;
   bool yielded = false;
   bool going = t < end;
@@ -189,15 +189,18 @@ bool march(TraceRay ray, inout float t, float end, inout vec2 left, inout Hit be
       going = !yielded;
     }
   }
-  left.x = incomplete ? 1.0 : 0.0;
+  pause.t = t;
+  pause.incomplete = incomplete ? 1u : 0u;
   return !(cut || yielded || going);
 }
 
 void storeSurface(uint index, Hit hit) {
-  HitSurface surface = HitSurface(vec4(0.0), vec4(0.0));
+  HitSurface surface = HitSurface(vec3(0.0), 0.0, vec3(0.0), 0.0);
   if (hit.t >= 0.0) {
-    surface.baseColor = vec4(imageLoad(pool, int(foundFragment) * ENTRY_TEXELS).xyz, 0.0);
-    surface.normalReflectivity = unpackNormalReflectivity(imageLoad(pool, int(foundFragment) * ENTRY_TEXELS + 1));
+    surface.baseColor = imageLoad(pool, int(foundFragment) * ENTRY_TEXELS).xyz;
+    vec4 stored = unpackNormalReflectivity(imageLoad(pool, int(foundFragment) * ENTRY_TEXELS + 1));
+    surface.normal = stored.xyz;
+    surface.reflectivity = stored.w;
   }
   hitSurfaces[index] = surface;
 }

@@ -48,14 +48,14 @@ void requestAhead(TraceRay ray, ivec3 voxel, float end) {
   }
 }
 
-// False where the ray is not through; `t` is then the voxel to go on with, and `left` the best triangle so far + 1 and
-// the number of candidates that are done (exact to 2^24).
-bool march(TraceRay ray, inout float t, float end, inout vec2 left, inout Hit best) {
+// False if the ray is not through; `pause` then says how to go on.
+bool march(TraceRay ray, float end, inout PausedRay pause, inout Hit best) {
   int work = 0;
-  uint done = uint(left.y);
+  uint done = pause.tested;
+  float t = pause.t;
   for (uint i = 0u; i < outerCount; ++i) testCandidate(ray, outer[i], best);
   end = min(end, best.t);
-  if (left.x > 0.0) testCandidate(ray, uint(left.x) - 1u, best);
+  if (pause.bestTriangle > 0u) testCandidate(ray, pause.bestTriangle - 1u, best);
   bool yielded = false;
   uvec2 list = uvec2(0u);  // what is left of the voxel's candidates
   uint first = 0u;         // where they begin
@@ -70,7 +70,8 @@ bool march(TraceRay ray, inout float t, float end, inout vec2 left, inout Hit be
         // A hit behind this voxel may still be beaten by a triangle of the voxels before it.
         going = best.t > leave && leave < end && leaveCell(ray, cell, voxel);
         if (going) {
-          left = vec2(0.0);
+          pause.bestTriangle = 0u;
+          pause.tested = 0u;
           t = leave;
           when (++work >= workLimit) yielded = voxelAt(ray, t) == voxel;  // or the next one's stretch is too short, too
           going = !yielded;
@@ -103,7 +104,8 @@ bool march(TraceRay ray, inout float t, float end, inout vec2 left, inout Hit be
         float middle = 0.5 * (t + leave);
         if (voxelAt(ray, middle) == voxel) {
           t = middle;
-          left = vec2(best.t < farAway ? float(best.triangle + 1u) : 0.0, float(list.x - first));
+          pause.bestTriangle = best.t < farAway ? best.triangle + 1u : 0u;
+          pause.tested = list.x - first;
           yielded = true;
           going = false;
         } else {
@@ -112,6 +114,7 @@ bool march(TraceRay ray, inout float t, float end, inout vec2 left, inout Hit be
       }
     }
   }
+  pause.t = t;
   return !(yielded || going);
 }
 

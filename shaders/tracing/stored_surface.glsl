@@ -12,9 +12,9 @@ vec4 sampleUse(uint triangle, vec2 barycentrics, int use, vec2 changeX, vec2 cha
   GpuTexture binding = materials[corners.w].textures[use];
   if (!hasTexture(binding)) return vec4(1.0);
   bool second = (binding.sampling & SAMPLING_UV_SET) != 0u;
-  vec2 a = second ? attributes[corners.x].uv.yz : vec2(attributes[corners.x].normalU.w, attributes[corners.x].uv.x);
-  vec2 b = second ? attributes[corners.y].uv.yz : vec2(attributes[corners.y].normalU.w, attributes[corners.y].uv.x);
-  vec2 c = second ? attributes[corners.z].uv.yz : vec2(attributes[corners.z].normalU.w, attributes[corners.z].uv.x);
+  vec2 a = second ? attributes[corners.x].uv1 : attributes[corners.x].uv0;
+  vec2 b = second ? attributes[corners.y].uv1 : attributes[corners.y].uv0;
+  vec2 c = second ? attributes[corners.z].uv1 : attributes[corners.z].uv0;
   mat2 edges = mat2(b - a, c - a);
   return sampleTexture(binding, a + edges * barycentrics, edges * changeX, edges * changeY);
 }
@@ -32,8 +32,8 @@ StoredSurface evaluateStoredSurface(uint triangle, vec2 barycentrics, float foot
   vec2 changeY = barycentricChange(edge1, edge2, area, minor);
 
   vec3 weights = vec3(1.0 - barycentrics.x - barycentrics.y, barycentrics);
-  vec3 normal = attributes[corners.x].normalU.xyz * weights.x + attributes[corners.y].normalU.xyz * weights.y +
-                attributes[corners.z].normalU.xyz * weights.z;
+  vec3 normal = attributes[corners.x].normal * weights.x + attributes[corners.y].normal * weights.y +
+                attributes[corners.z].normal * weights.z;
   vec3 color = attributes[corners.x].color.rgb * weights.x + attributes[corners.y].color.rgb * weights.y +
                attributes[corners.z].color.rgb * weights.z;
   GpuMaterial m = materials[corners.w];
@@ -44,7 +44,7 @@ StoredSurface evaluateStoredSurface(uint triangle, vec2 barycentrics, float foot
     s.reflectivity = m.mirror;
   } else {
     vec4 texel = sampleUse(triangle, barycentrics, TEXTURE_METALLIC_ROUGHNESS, changeX, changeY);
-    s.reflectivity = mix(m.dielectricF0 * m.specular.w, luminance(s.baseColor), clamp(m.metallic * texel.b, 0.0, 1.0)) *
+    s.reflectivity = mix(m.dielectricF0 * m.specularFactor, luminance(s.baseColor), clamp(m.metallic * texel.b, 0.0, 1.0)) *
                      roughnessFade(clamp(m.roughness * texel.g, 0.0, 1.0));
   }
   if ((m.flags & MATERIAL_UNLIT) != 0u) s.reflectivity = 0.0;

@@ -16,6 +16,7 @@
 layout(std430, binding = SSBO_RAYS) readonly buffer RayBlock { Ray rays[]; };
 layout(std430, binding = SSBO_RAY_COUNT) coherent buffer RayCountBlock { RayCount rayCount; };
 layout(std430, binding = SSBO_HITS) buffer HitBlock { Hit hits[]; };
+layout(std430, binding = SSBO_PAUSED) buffer PausedBlock { PausedRay paused[]; };
 
 // Some drivers stop all loops of a shader, silently, after a number of iterations (65,535 on Mesa's llvmpipe, summed
 // over the rays that run in one vector). So a ray that has done `workLimit` of them leaves the rest to the next
@@ -36,29 +37,28 @@ bool incomplete = false;  // the ray came by something that is missing from the 
 #endif
 
 void traceRay(uint index) {
-  float from = 0.0;
-  vec2 left = vec2(0.0);
+  PausedRay pause = PausedRay(0.0, 0u, 0u, 0u);
   if (resuming == 1) {
     if (hits[index].triangle != UNFINISHED_TRIANGLE) return;
-    from = hits[index].t;
-    left = vec2(hits[index].u, hits[index].v);
+    pause = paused[index];
   }
   Ray queued = rays[index];
   TraceRay ray;
-  ray.origin = queued.originPixel.xyz;
-  ray.direction = queued.directionExclude.xyz;
+  ray.origin = queued.origin;
+  ray.direction = queued.direction;
   ray.gridOrigin = toGrid(ray.origin);
   ray.gridDirection = ray.direction * gridInverse;
-  ray.excluded = floatBitsToUint(queued.directionExclude.w);
-  ray.least = frame.boundsHigh.w;
+  ray.excluded = queued.excluded;
+  ray.least = frame.minDistance;
   ray.shear = makeShear(ray.direction);
 
   Hit best = Hit(farAway, NO_TRIANGLE, 0.0, 0.0);
   vec2 range = gridRange(ray);
-  float t = max(range.x, from);
-  if (!march(ray, t, range.y, left, best)) {
+  pause.t = max(range.x, pause.t);
+  if (!march(ray, min(range.y, queued.maxDistance), pause, best)) {
     if (lastDispatch == 0) {
-      hits[index] = Hit(t, UNFINISHED_TRIANGLE, left.x, left.y);
+      hits[index] = Hit(HIT_NOT_TRACED, UNFINISHED_TRIANGLE, 0.0, 0.0);
+      paused[index] = pause;
       atomicAdd(rayCount.unfinished, 1u);
       return;
     }
@@ -68,7 +68,7 @@ void traceRay(uint index) {
     atomicAdd(rayCount.overflow, 1u);
     best = Hit(HIT_OVERFLOW, NO_TRIANGLE, 0.0, 0.0);
   }
-  if (best.t == farAway) best.t = HIT_MISS;
+  if (best.t > queued.maxDistance || best.t == farAway) best = Hit(HIT_MISS, NO_TRIANGLE, 0.0, 0.0);
   hits[index] = best;
   storeSurface(index, best);
 }

@@ -1,7 +1,7 @@
 // Walks of a ray through voxels and texels (3D-DDA and 2D-DDA, Amanatides & Woo 1987). Every boundary is computed from
 // the ray anew instead of summed up, so that errors do not grow along the way.
 
-const float farAway = 3.0e38;
+const float farAway = FAR_AWAY;
 
 struct TraceRay {
   vec3 origin, direction;      // world

@@ -26,8 +26,9 @@ const std::map<std::string, std::set<std::string>> kMayInclude = {
     {"gl", {"core"}},
     {"frame", {"core", "scene", "gl", "settings", "shared"}},
     {"passes", {"core", "scene", "gl", "frame", "settings", "shared"}},
+    {"effects", {"core", "scene", "gl", "frame", "settings", "shared"}},
     {"tracing", {"core", "scene", "gl", "frame", "settings", "shared"}},
-    {"renderer", {"core", "scene", "gl", "frame", "settings", "shared", "passes", "tracing"}},
+    {"renderer", {"core", "scene", "gl", "frame", "settings", "shared", "passes", "tracing", "effects"}},
     {"context", {"core"}},
     {"budget", {"frame", "settings", "shared", "renderer"}},
     {"io", {"core", "scene", "settings"}},
@@ -38,13 +39,12 @@ const std::map<std::string, std::set<std::string>> kMayInclude = {
 
 // The rooms of the public headers, include/halfsilver/.
 const std::map<std::string, std::string> kPublicHeaders = {
-    {"error.h", "core"},        {"bounds.h", "core"},    {"image.h", "core"},
-    {"scene.h", "scene"},       {"model.h", "scene"},    {"scene_core.h", "scene"},
-    {"settings.h", "settings"}, {"budget.h", "budget"},  {"renderer.h", "renderer"},
-    {"products.h", "frame"},    {"tracer.h", "tracing"}, {"shared_structs.h", "frame"},
-    {"builtin.h", "builtin"},   {"io.h", "io"},          {"context.h", "context"},
-    {"exact.h", "exact"},       {"gl/api.h", "gl"},      {"gl/buffer.h", "gl"},
-    {"gl/profiler.h", "gl"},    {"gl/readback.h", "gl"}, {"gl/texture.h", "gl"},
+    {"error.h", "core"},        {"bounds.h", "core"},          {"image.h", "core"},         {"scene.h", "scene"},
+    {"model.h", "scene"},       {"scene_core.h", "scene"},     {"scene_change.h", "scene"}, {"frame_view.h", "frame"},
+    {"settings.h", "settings"}, {"budget.h", "budget"},        {"renderer.h", "renderer"},  {"products.h", "frame"},
+    {"tracer.h", "tracing"},    {"shared_structs.h", "frame"}, {"builtin.h", "builtin"},    {"io.h", "io"},
+    {"context.h", "context"},   {"exact.h", "exact"},          {"gl/api.h", "gl"},          {"gl/buffer.h", "gl"},
+    {"gl/profiler.h", "gl"},    {"gl/readback.h", "gl"},       {"gl/texture.h", "gl"},
 };
 
 struct Include {

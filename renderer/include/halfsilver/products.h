@@ -15,7 +15,7 @@
 // What the stages of a frame hand on: plain move-only types that own GPU memory. See README.md of this folder.
 namespace halfsilver {
 
-// A run of SSBO_DRAW_LIST that is drawn with one state.
+// A run of the draw list that is drawn with one state.
 struct DrawRange {
   std::uint32_t first = 0, count = 0;  // triangles
   bool doubleSided = false;
@@ -26,19 +26,19 @@ struct DrawRange {
 struct GpuScene {
   gl::Buffer positions, attributes, triangles, materials, drawList;
   std::vector<DrawRange> drawRanges;
-  std::vector<gl::Texture> textures;  // buckets of equal size, at most TEXTURE_BUCKETS
-  gl::Texture sky;                    // 1 x 1 where the sky is a gradient
-  std::uint32_t vertexCount = 0;
-  std::uint32_t triangleCount = 0;
+  std::vector<gl::Texture> textures;            // buckets of equal size, at most TEXTURE_BUCKETS
+  gl::Texture sky;                              // 1 x 1 where the sky is a gradient
+  std::vector<std::uint32_t> textureLocations;  // one per texture of the scene, see GpuTexture::location
+  std::uint32_t vertexCount = 0, triangleCount = 0, materialCount = 0;
   Bounds bounds;
   SceneCore core;
-  std::uint32_t geometry = 0;       // grows with every change of the vertices
-  std::uint32_t drawnGeometry = 0;  // what it was in the last frame
-  std::vector<VertexRange> moved;   // since then
   std::vector<std::string> warnings;
 
-  // Binds SSBO_POSITIONS .. SSBO_MATERIALS, the material textures and the sky.
-  void bind() const;
+  std::size_t bytes() const;
+  // SSBO_POSITIONS and SSBO_TRIANGLES.
+  void bindTriangles() const;
+  // All of SSBO_POSITIONS to SSBO_MATERIALS and the material textures.
+  void bindSurfaces() const;
 };
 
 // Lights with their shadow maps in one depth array.
@@ -50,7 +50,7 @@ struct ShadowMaps {
   void bind() const;  // SSBO_LIGHTS, UNIT_SHADOW_MAPS
 };
 
-// One surface a pixel. Position is exact: the pixel's ray through the triangle, not the rasterizer's interpolation.
+// One surface per pixel. Position is exact: the pixel's ray through the triangle, not the rasterizer's interpolation.
 struct GBuffer {
   int width = 0, height = 0;
   gl::Texture depth;       // D32F, of the rasterization; reversed: 1 at the near plane, 0 far away
@@ -67,9 +67,17 @@ struct GBuffer {
 
 // Rays to trace, compacted, with a count that stays on the GPU.
 struct RayQueue {
-  gl::Buffer rays;   // Ray[capacity]
+  gl::Buffer rays;   // Ray[capacity]: what a tracer reads
+  gl::Buffer paths;  // RayPath[capacity], at the same index: what the effect knows of the ray
   gl::Buffer count;  // RayCount
   std::uint32_t capacity = 0;
+  std::size_t bytes() const { return rays.bytes() + paths.bytes() + count.bytes(); }
+};
+
+// Light by slot. A ray names its slot, and no two rays of a dispatch share one, so sums depend on no order.
+struct RadianceSlots {
+  gl::Buffer slots;   // Radiance[capacity of the first queue]
+  gl::Buffer pixels;  // uint[]: the pixel of each group of slots, y * width + x
 };
 
 // Reflecting pixels (those that select.fraction keeps) by what their reflection contributes.
@@ -77,10 +85,18 @@ struct Contributions {
   gl::Buffer counts;  // uint[CONTRIBUTION_CLASSES], see shared/structs.h
 };
 
-// One result a ray, in the order of the queue.
+// What an effect keeps for one frame.
+struct EffectFrame {
+  RadianceSlots radiance;
+  Contributions contributions;
+  std::size_t bytes() const { return radiance.slots.bytes() + radiance.pixels.bytes() + contributions.counts.bytes(); }
+};
+
+// One result per ray, in the order of the queue.
 struct Hits {
   gl::Buffer hits;      // Hit[capacity]
   gl::Buffer surfaces;  // HitSurface[capacity], empty unless the method stores attributes
+  std::size_t bytes() const { return hits.bytes() + surfaces.bytes(); }
 };
 
 }  // namespace halfsilver

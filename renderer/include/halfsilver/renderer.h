@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -10,6 +11,7 @@
 #include <halfsilver/image.h>
 #include <halfsilver/model.h>
 #include <halfsilver/scene.h>
+#include <halfsilver/scene_change.h>
 #include <halfsilver/settings.h>
 
 // The public class. Everything here throws halfsilver::Error and nothing else on purpose.
@@ -78,21 +80,36 @@ class Renderer {
 
   // Uploads the whole scene; the caller's copy is not kept.
   void setScene(const Scene& scene);
-  // Uploads moved vertices of the scene that was set; triangles, materials and counts are unchanged.
+  // Uploads what changed since setScene(): moved vertices, lights, the sky or the values of materials. Triangles, the
+  // number of vertices, materials and textures stay as they were. Throws Error (usage) if they do not, if
+  // `change.topology` is set or while a frame is under way.
+  void update(const Scene& scene, const SceneChange& change);
+  // The same for moved vertices, and for lights that moved with them.
   void updateVertices(const Scene& scene, std::span<const VertexRange> ranges);
 
-  // Forgets what methods keep from frame to frame (abuffer.keep): the next frame builds what its own rays need.
+  // Drops what methods keep from frame to frame (abuffer.keep): the next frame builds what its own rays need.
   void forgetStructures();
 
-  // Draws one frame into the target at the target's size. Camera is relative to Scene::origin. Waits for the
-  // GPU's counts of what a method has to build (see tracing/README.md).
+  // Draws one frame into the target at the target's size: begin() and finish(). Camera is relative to Scene::origin.
+  // Waits for the GPU's counts of what a method has to build (see tracing/README.md).
   void render(const Camera& camera, const Settings& settings, const Target& target);
 
-  // What the last frame took and held. Waits for the GPU.
-  FrameReport report();
+  // A frame in two halves. begin() draws all that needs no hits and starts the rays; finish() ends the oldest frame
+  // that was begun. Up to two may be under way, so that a tracer on the CPU works beside the GPU; each has memory of
+  // its own. The scene must not change between the two, and the target has the size that begin() was given. Settings
+  // that make another tracer (its method or what that reads) wait until no frame is under way. Throw Error (usage)
+  // otherwise.
+  void begin(const Camera& camera, const Settings& settings, int width, int height);
+  void finish(const Target& target);
 
-  // The last frame as the layers of the contract (R G B A, depth.Z, normal.X/Y/Z, reflectivity.Y, selected.Y, hit.T,
-  // hit.id, hit.nx/ny/nz, reflection.R/G/B), rows from the top. Waits for the GPU.
+  // What the frame that finish() ended last took and held. Waits for the GPU.
+  FrameReport report();
+  // The same of the newest finished frame whose figures have arrived, if there is one; never waits. Reports come in the
+  // order of the frames; each is given once.
+  std::optional<FrameReport> arrivedReport();
+
+  // The frame that finish() ended last as the layers of the contract (R G B A, depth.Z, normal.X/Y/Z, reflectivity.Y,
+  // selected.Y, hit.T, hit.id, hit.nx/ny/nz, reflection.R/G/B), rows from the top. Waits for the GPU.
   Image readLayers() const;
 
  private:

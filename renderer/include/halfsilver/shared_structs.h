@@ -4,26 +4,151 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 
-// The C++ side of shaders/shared/structs.h.
+// The C++ side of shaders/shared/structs.h: the same names and layouts. std140 and std430 align a vec3 to 16 bytes and
+// a vec2 to 8, and round a struct with a vec3 up to 16; C++ does not, so every offset and size is asserted.
 namespace halfsilver::shared {
 
 using glm::mat4;
+using glm::vec2;
+using glm::vec3;
 using glm::vec4;
 using uint = std::uint32_t;
 
 #include "shared/bindings.h"
 #include "shared/structs.h"
 
+#define HALFSILVER_AT(type, member, offset) static_assert(offsetof(type, member) == (offset), #type "::" #member)
+
+HALFSILVER_AT(VertexAttributes, normal, 0);
+HALFSILVER_AT(VertexAttributes, bitangentSign, 12);
+HALFSILVER_AT(VertexAttributes, tangent, 16);
+HALFSILVER_AT(VertexAttributes, uv0, 32);
+HALFSILVER_AT(VertexAttributes, uv1, 40);
+HALFSILVER_AT(VertexAttributes, color, 48);
 static_assert(sizeof(VertexAttributes) == 64);
+
+HALFSILVER_AT(GpuTexture, location, 0);
+HALFSILVER_AT(GpuTexture, sampling, 4);
+HALFSILVER_AT(GpuTexture, transform, 8);
 static_assert(sizeof(GpuTexture) == 32);
-static_assert(sizeof(GpuMaterial) == 80 + 7 * 32);
-static_assert(offsetof(GpuMaterial, textures) == 80);
-static_assert(sizeof(GpuLight) == 64 + 6 * 64);
-static_assert(sizeof(Ray) == 48);
+
+HALFSILVER_AT(GpuMaterial, baseColor, 0);
+HALFSILVER_AT(GpuMaterial, emissive, 16);
+HALFSILVER_AT(GpuMaterial, alphaCutoff, 28);
+HALFSILVER_AT(GpuMaterial, specularColor, 32);
+HALFSILVER_AT(GpuMaterial, specularFactor, 44);
+HALFSILVER_AT(GpuMaterial, metallic, 48);
+HALFSILVER_AT(GpuMaterial, roughness, 52);
+HALFSILVER_AT(GpuMaterial, normalScale, 56);
+HALFSILVER_AT(GpuMaterial, occlusionStrength, 60);
+HALFSILVER_AT(GpuMaterial, dielectricF0, 64);
+HALFSILVER_AT(GpuMaterial, mirror, 68);
+HALFSILVER_AT(GpuMaterial, flags, 72);
+HALFSILVER_AT(GpuMaterial, textures, 80);
+static_assert(sizeof(GpuMaterial) == 80 + 7 * sizeof(GpuTexture));
+
+HALFSILVER_AT(GpuLight, position, 0);
+HALFSILVER_AT(GpuLight, range, 12);
+HALFSILVER_AT(GpuLight, direction, 16);
+HALFSILVER_AT(GpuLight, type, 28);
+HALFSILVER_AT(GpuLight, color, 32);
+HALFSILVER_AT(GpuLight, shadowTexel, 44);
+HALFSILVER_AT(GpuLight, coneScale, 48);
+HALFSILVER_AT(GpuLight, coneOffset, 52);
+HALFSILVER_AT(GpuLight, shadowLayer, 56);
+HALFSILVER_AT(GpuLight, shadowLayers, 60);
+HALFSILVER_AT(GpuLight, steadyShare, 64);
+HALFSILVER_AT(GpuLight, shadow, 80);
+static_assert(sizeof(GpuLight) == 80 + 6 * sizeof(mat4));
+
+HALFSILVER_AT(Ray, origin, 0);
+HALFSILVER_AT(Ray, maxDistance, 12);
+HALFSILVER_AT(Ray, direction, 16);
+HALFSILVER_AT(Ray, excluded, 28);
+static_assert(sizeof(Ray) == 32);
+
+HALFSILVER_AT(RayPath, throughput, 0);
+HALFSILVER_AT(RayPath, pathLength, 12);
+HALFSILVER_AT(RayPath, pixel, 16);
+HALFSILVER_AT(RayPath, slot, 20);
+HALFSILVER_AT(RayPath, kind, 24);
+static_assert(sizeof(RayPath) == 32);
+
+HALFSILVER_AT(Radiance, sum, 0);
+HALFSILVER_AT(Radiance, answered, 12);
+static_assert(sizeof(Radiance) == 16);
+
+HALFSILVER_AT(RayCount, groupsX, 0);
+HALFSILVER_AT(RayCount, groupsY, 4);
+HALFSILVER_AT(RayCount, groupsZ, 8);
+HALFSILVER_AT(RayCount, count, 12);
+HALFSILVER_AT(RayCount, reflecting, 16);
+HALFSILVER_AT(RayCount, unfinished, 20);
+HALFSILVER_AT(RayCount, overflow, 24);
 static_assert(sizeof(RayCount) == 32);
+
+HALFSILVER_AT(ListBuild, vertexCount, 0);
+HALFSILVER_AT(ListBuild, instanceCount, 4);
+HALFSILVER_AT(ListBuild, firstVertex, 8);
+HALFSILVER_AT(ListBuild, firstInstance, 12);
+HALFSILVER_AT(ListBuild, requested, 16);
+HALFSILVER_AT(ListBuild, total, 20);
+HALFSILVER_AT(ListBuild, headers, 24);
+HALFSILVER_AT(ListBuild, longest, 28);
+HALFSILVER_AT(ListBuild, stale, 32);
+HALFSILVER_AT(ListBuild, staleHeaders, 36);
 static_assert(sizeof(ListBuild) == 48);
+
+HALFSILVER_AT(Hit, t, 0);
+HALFSILVER_AT(Hit, triangle, 4);
+HALFSILVER_AT(Hit, u, 8);
+HALFSILVER_AT(Hit, v, 12);
 static_assert(sizeof(Hit) == 16);
+
+HALFSILVER_AT(PausedRay, t, 0);
+HALFSILVER_AT(PausedRay, bestTriangle, 4);
+HALFSILVER_AT(PausedRay, tested, 8);
+HALFSILVER_AT(PausedRay, incomplete, 12);
+static_assert(sizeof(PausedRay) == 16);
+
+HALFSILVER_AT(HitSurface, baseColor, 0);
+HALFSILVER_AT(HitSurface, normal, 16);
+HALFSILVER_AT(HitSurface, reflectivity, 28);
 static_assert(sizeof(HitSurface) == 32);
-static_assert(sizeof(FrameConstants) == 64 + 9 * 16 + 64);
+
+HALFSILVER_AT(FrameConstants, viewProjection, 0);
+HALFSILVER_AT(FrameConstants, eye, 64);
+HALFSILVER_AT(FrameConstants, pixelCone, 76);
+HALFSILVER_AT(FrameConstants, forward, 80);
+HALFSILVER_AT(FrameConstants, nearPlane, 92);
+HALFSILVER_AT(FrameConstants, right, 96);
+HALFSILVER_AT(FrameConstants, farPlane, 108);
+HALFSILVER_AT(FrameConstants, up, 112);
+HALFSILVER_AT(FrameConstants, minDistance, 124);
+HALFSILVER_AT(FrameConstants, boundsLow, 128);
+HALFSILVER_AT(FrameConstants, diagonal, 140);
+HALFSILVER_AT(FrameConstants, boundsHigh, 144);
+HALFSILVER_AT(FrameConstants, skyIsImage, 156);
+HALFSILVER_AT(FrameConstants, skyZenith, 160);
+HALFSILVER_AT(FrameConstants, skyIntensity, 172);
+HALFSILVER_AT(FrameConstants, skyHorizon, 176);
+HALFSILVER_AT(FrameConstants, toneMap, 188);
+HALFSILVER_AT(FrameConstants, skyGround, 192);
+HALFSILVER_AT(FrameConstants, exposure, 204);
+HALFSILVER_AT(FrameConstants, width, 208);
+HALFSILVER_AT(FrameConstants, height, 212);
+HALFSILVER_AT(FrameConstants, lightCount, 216);
+HALFSILVER_AT(FrameConstants, cullBackFaces, 220);
+HALFSILVER_AT(FrameConstants, maxRoughness, 224);
+HALFSILVER_AT(FrameConstants, minReflectivity, 228);
+HALFSILVER_AT(FrameConstants, selectFraction, 232);
+HALFSILVER_AT(FrameConstants, minContribution, 236);
+HALFSILVER_AT(FrameConstants, selectMode, 240);
+HALFSILVER_AT(FrameConstants, selectPattern, 244);
+HALFSILVER_AT(FrameConstants, fill, 248);
+HALFSILVER_AT(FrameConstants, bounces, 252);
+static_assert(sizeof(FrameConstants) == 256);
+
+#undef HALFSILVER_AT
 
 }  // namespace halfsilver::shared

@@ -4,11 +4,10 @@
 #include <functional>
 #include <glm/glm.hpp>
 #include <memory>
-#include <string>
-#include <vector>
+#include <span>
 
-#include <halfsilver/gl/profiler.h>
-#include <halfsilver/products.h>
+#include <halfsilver/frame_view.h>
+#include <halfsilver/scene_change.h>
 #include <halfsilver/settings.h>
 
 namespace halfsilver {
@@ -24,36 +23,60 @@ struct TracerMemory {
   std::uint64_t fragmentsStored = 0;     // count
   std::uint64_t perAxis[3] = {0, 0, 0};  // count: stored in the A-buffer of x, y, z
   double bytesPerFragment = 0;
+  std::uint64_t lostFragments = 0;   // count: not stored for lack of room; 0 when complete
   std::uint64_t structureTotal = 0;  // everything that is kept
   std::uint64_t transient = 0;       // beside it, the most at once during the last frame
 };
 
+// Counts of a build on the GPU, and what a copy of them says; `add` outlives the tracer.
+struct TracerCounts {
+  const gl::Buffer* buffer = nullptr;  // words; null: nothing is counted there
+  void (*add)(std::span<const std::uint32_t> counts, TracerMemory& memory) = nullptr;
+};
+
 // A method of tracing rays: one folder under tracing/ each. The interface is all that the rest of the frame knows.
+//
+// Each frame calls update() once, then trace(), occluded() or submit() and collect() as often as there are queues.
+// Every call binds what it reads (see FrameView) and leaves nothing bound that others rely on.
 class Tracer {
  public:
   virtual ~Tracer() = default;
 
-  // Makes the structure for this scene; sections "voxelize" and "build" of the profiler. `rays` are those of the
-  // first bounce. GpuScene is bound.
-  virtual void build(const GpuScene& scene, const RayQueue& rays, gl::Profiler& profiler) = 0;
+  // Follows the scene: `change` is what happened since the last update(), SceneChange::everything() before the first.
+  // Sections "voxelize" and "build" of the profiler.
+  virtual void update(const FrameView& view, const SceneChange& change) = 0;
 
-  // Traces every ray of the queue and writes one hit each; section "trace". The count stays on the GPU. Rays given up
-  // get t = HIT_OVERFLOW and are counted in RayCount::overflow. GpuScene and UBO_FRAME are bound.
-  virtual void trace(const GpuScene& scene, const RayQueue& rays, Hits& hits, gl::Profiler& profiler) = 0;
+  // Drops what is kept from frame to frame, so that the next frame builds what its own rays need.
+  virtual void forget() {}
+
+  // Traces every ray of the queue and writes one hit each, the nearest within Ray::maxDistance; section "trace". The
+  // count stays on the GPU. Rays given up get t = HIT_OVERFLOW and are counted in RayCount::overflow.
+  virtual void trace(const FrameView& view, const RayQueue& rays, Hits& hits) = 0;
+
+  // Whether anything lies within maxDistance: t >= 0 if so, and then any hit, not the nearest, will do. HIT_MISS and
+  // HIT_OVERFLOW as in trace().
+  virtual void occluded(const FrameView& view, const RayQueue& rays, Hits& hits) { trace(view, rays, hits); }
+
+  // trace() in two halves, for tracers that work beside the GPU: submit() starts, collect() ends with the hits written.
+  // Between them the frame does what needs no hits. One queue can be under way per frame; `view`, `rays` and `hits` are
+  // the same in both calls.
+  virtual void submit(const FrameView& view, const RayQueue& rays, Hits& hits) { trace(view, rays, hits); }
+  virtual void collect(const FrameView&, const RayQueue&, Hits&) {}
 
   // Whether trace() writes Hits::surfaces.
   virtual bool storesAttributes() const { return false; }
 
-  // Of the last build; waits for the GPU.
+  // What the host knows of the structure; asks the GPU for nothing.
   virtual TracerMemory memory() const = 0;
-  // Fragments that did not fit into the structure in the last build (0 when complete); waits for the GPU.
-  virtual std::uint64_t lostFragments() const { return 0; }
+  // What memory() lacks because it is on the GPU. A report copies it when a frame ends.
+  virtual TracerCounts counts() const { return {}; }
 };
 
+// Makes the tracer of one method. A tracer is made again when a setting of its method changes, and only then.
 using TracerFactory = std::function<std::unique_ptr<Tracer>(const gl::Api&, const Settings&)>;
 
-// The only switch over methods. Null for Method::none. `exact` makes the tracer of Method::exact and may be empty:
-// then asking for that method throws Error (usage), and Method::automatic is identity.
+// The tracer that the settings name; null for "none". `exact` makes the one of "exact" and may be empty: then asking
+// for it throws Error (usage), and "auto" is "identity".
 std::unique_ptr<Tracer> makeTracer(const gl::Api& api, const Settings& settings, const TracerFactory& exact);
 
 }  // namespace halfsilver

@@ -52,15 +52,16 @@ AttributeTracer::AttributeTracer(const gl::Api& api, const Settings& settings)
   if (settings.abuffer.sorted) sort_ = gl::Program::compute(api, "tracing/attributes_sort.comp", pageDefines(1));
 }
 
-void AttributeTracer::build(const GpuScene& scene, const RayQueue&, gl::Profiler& profiler) {
+void AttributeTracer::update(const FrameView& view, const SceneChange&) {
+  const GpuScene& scene = view.scene;
   if (scene.triangleCount > kMostTriangles)
     throw Error(ErrorKind::failed, "the scene has " + std::to_string(scene.triangleCount) +
                                        " triangles; fragments with attributes can name " +
                                        std::to_string(kMostTriangles));
   grid_ = makeGrid(scene.bounds, settings_.voxels.resolution, settings_.abuffer.resolution);
-  voxelPass_.run(scene, grid_, voxels_, profiler);
+  voxelPass_.run(view, grid_, voxels_);
 
-  const auto scope = profiler.section("build");
+  const auto scope = view.profiler.section("build");
   const bool three = settings_.abuffer.buffers == Buffers::three;
   const auto side = static_cast<std::size_t>(grid_.texels);
   const auto mostEntries = static_cast<std::uint64_t>(api_->limits.bufferTexels) / kEntryTexels;
@@ -81,6 +82,8 @@ void AttributeTracer::build(const GpuScene& scene, const RayQueue&, gl::Profiler
   pool_.bind(build_);
   voxels_.words.bindStorage(SSBO_VOXELS);
   entries_.bindImage(IMAGE_POOL, GL_WRITE_ONLY);
+  view.constants.bindUniform(UBO_FRAME);
+  scene.bindSurfaces();
   rasterizeScene(*api_, build_, vertexArray_, scene,
                  {.resolution = grid_.texels, .projections = own ? 1 : 3, .verticesPerTriangle = 3});
   // Entries (image stores), heads and links (fragments) are read by the sort and the trace.
@@ -103,13 +106,13 @@ void AttributeTracer::sortLists() {
   }
 }
 
-void AttributeTracer::trace(const GpuScene&, const RayQueue& rays, Hits& hits, gl::Profiler& profiler) {
+void AttributeTracer::trace(const FrameView& view, const RayQueue& rays, Hits& hits) {
   grid_.apply(tracePass_.program());
   tracePass_.program().set("refinements", settings_.search.refinements);
   pool_.bind(tracePass_.program());
   voxels_.words.bindStorage(SSBO_VOXELS);
   entries_.bindImage(IMAGE_POOL, GL_READ_ONLY);
-  tracePass_.run(rays, hits, profiler);
+  tracePass_.run(view, rays, hits);
 }
 
 TracerMemory AttributeTracer::memory() const {
@@ -119,7 +122,5 @@ TracerMemory AttributeTracer::memory() const {
   pool_.report(memory, kEntryBytes);
   return memory;
 }
-
-std::uint64_t AttributeTracer::lostFragments() const { return pool_.counters().sum(COUNTER_LOST); }
 
 }  // namespace halfsilver

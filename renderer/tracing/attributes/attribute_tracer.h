@@ -19,11 +19,11 @@ class AttributeTracer final : public Tracer {
   // Throws Error (badInput) for settings that do not go together.
   AttributeTracer(const gl::Api& api, const Settings& settings);
 
-  void build(const GpuScene& scene, const RayQueue& rays, gl::Profiler& profiler) override;
-  void trace(const GpuScene& scene, const RayQueue& rays, Hits& hits, gl::Profiler& profiler) override;
+  void update(const FrameView& view, const SceneChange& change) override;
+  void trace(const FrameView& view, const RayQueue& rays, Hits& hits) override;
   bool storesAttributes() const override { return true; }
   TracerMemory memory() const override;
-  std::uint64_t lostFragments() const override;
+  TracerCounts counts() const override { return {&pool_.counters().buffer(), PagePool::addCounts}; }
 
  private:
   void sortLists();

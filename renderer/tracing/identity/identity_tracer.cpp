@@ -71,40 +71,41 @@ IdentityTracer::IdentityTracer(const gl::Api& api, const Settings& settings)
       vertexArray_(api),
       counters_(api) {}
 
-void IdentityTracer::build(const GpuScene& scene, const RayQueue&, gl::Profiler& profiler) {
+void IdentityTracer::update(const FrameView& view, const SceneChange& change) {
+  const GpuScene& scene = view.scene;
   transient_ = 0;
-  if (lost_ > 0) geometry_.reset();  // a full pool begins anew
+  const bool kept = keep_ && built_ && lost_ == 0 && !change.topology;  // a pool that overflowed starts over
   firstLookAhead_ = kKeptLookAhead;
-  if (keep_ && geometry_ == scene.geometry) return;
+  if (kept && change.moved.empty()) return;
   constexpr double kVoxels = BRICK_SIDE * BRICK_SIDE * BRICK_SIDE;
   const double voxels = perTriangle_ * static_cast<double>(scene.triangleCount);
   const double wanted = perTriangle_ > 0 ? std::max(1.0, voxels / kVoxels) : 0.0;
   const Grid bricks = makeCubicGrid(scene.core.bounds, std::max(1, resolution_ / BRICK_SIDE), wanted);
-  const bool follows = keep_ && ownAxis_ && geometry_ && *geometry_ == scene.drawnGeometry && bricks == brickGrid_;
+  const bool follows = kept && ownAxis_ && bricks == brickGrid_;
   std::vector<GLuint> outer = {static_cast<GLuint>(scene.core.outer.size())};
   outer.insert(outer.end(), scene.core.outer.begin(), scene.core.outer.end());
   outer_ = gl::makeBuffer(*api_, std::span<const GLuint>(outer), "triangles beyond the grid");
-  geometry_.reset();
+  built_ = false;  // until nothing has failed
   grid_ = brickGrid_ = bricks;
   grid_.voxels *= BRICK_SIDE;
-  if (!follows) voxelPass_.run(scene, brickGrid_, voxels_, profiler);
-  const auto scope = profiler.section("voxelize");
+  if (!follows) voxelPass_.run(view, brickGrid_, voxels_);
+  const auto scope = view.profiler.section("voxelize");
   if (follows) {
-    followMove(scene);
+    followMove(scene, change.moved);
   } else {
     forgetBricks();
     firstLookAhead_ = kFirstLookAhead;
   }
-  geometry_ = scene.geometry;
+  built_ = true;
 }
 
 // Lists may name triangles that have gone: the exact test sees where they are now. So only bricks that moved triangles
 // have come to must be built anew, once a ray asks; those that they came to at the last move are given up, too, so that
 // lists do not grow along an object's path.
-void IdentityTracer::followMove(const GpuScene& scene) {
+void IdentityTracer::followMove(const GpuScene& scene, std::span<const VertexRange> moved) {
   if (!move_) {
-    const gl::Define moved[] = {{"MOVED"}};
-    collectMoved_ = gl::Program::compute(*api_, "tracing/identity_cull.comp", moved);
+    const gl::Define defines[] = {{"MOVED"}};
+    collectMoved_ = gl::Program::compute(*api_, "tracing/identity_cull.comp", defines);
     move_ = rasterProgram(*api_, true);
     leave_ = statesProgram(*api_, "LEAVE");
     compactSum_.emplace(*api_, "COMPACT");
@@ -125,7 +126,7 @@ void IdentityTracer::followMove(const GpuScene& scene) {
   // States and marks (compute) are changed by fragments.
   api_->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   noteStale();
-  for (const VertexRange& range : scene.moved) {
+  for (const VertexRange& range : moved) {
     clearListBuild();
     candidates_.bindStorage(SSBO_LINKS);
     listBuild_.bindStorage(SSBO_LIST_BUILD);
@@ -166,6 +167,7 @@ void IdentityTracer::clearListBuild() {
 }
 
 void IdentityTracer::collect(const gl::Program& program, const GpuScene& scene) {
+  scene.bindTriangles();
   program.set("triangleCount", scene.triangleCount);
   program.set("verticesPerTriangle", kVerticesPerTriangle);
   dispatchFor(*api_, program, scene.triangleCount);
@@ -194,7 +196,7 @@ void IdentityTracer::bindStructure() const {
   listBuild_.bindStorage(SSBO_LIST_BUILD);
 }
 
-void IdentityTracer::trace(const GpuScene& scene, const RayQueue& rays, Hits& hits, gl::Profiler& profiler) {
+void IdentityTracer::trace(const FrameView& view, const RayQueue& rays, Hits& hits) {
   const gl::Program& program = tracePass_.program();
   grid_.apply(program);
   int lookAhead = firstLookAhead_;
@@ -202,11 +204,11 @@ void IdentityTracer::trace(const GpuScene& scene, const RayQueue& rays, Hits& hi
   program.set("mostRequests", kMostRequests);
   bindStructure();
   outer_.bindStorage(SSBO_OUTER);
-  tracePass_.run(rays, hits, profiler, [&] {
-    const auto scope = profiler.section("build");
+  tracePass_.run(view, rays, hits, [&] {
+    const auto scope = view.profiler.section("build");
     lookAhead = std::min(2 * lookAhead, kMostLookAhead);
     program.set("lookAhead", lookAhead);
-    const bool more = buildRequested(scene);
+    const bool more = buildRequested(view.scene);
     bindStructure();
     outer_.bindStorage(SSBO_OUTER);
     return more;
@@ -311,9 +313,7 @@ TracerMemory IdentityTracer::memory() const {
   memory.poolReserved = runs_.bytes() - memory.heads;
   memory.fragmentsStored = used_ - headers_ - (stale_ - staleHeaders_);
   memory.poolUsed = memory.fragmentsStored * kWordBytes;
-  // These add up over all builds since everything began anew.
-  memory.fragments = counters_.sum(COUNTER_FRAGMENTS);
-  for (std::uint32_t axis = 0; axis < 3; ++axis) memory.perAxis[axis] = counters_.sum(COUNTER_STORED_X + axis);
+  memory.lostFragments = lost_;
   memory.bytesPerFragment = static_cast<double>(kWordBytes);
   memory.structureTotal = memory.voxels + memory.heads + memory.poolReserved + outer_.bytes() + listBuild_.bytes() +
                           placeSum_.bytes() + counters_.bytes();

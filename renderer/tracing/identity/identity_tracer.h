@@ -25,14 +25,15 @@ class IdentityTracer final : public Tracer {
  public:
   IdentityTracer(const gl::Api& api, const Settings& settings);
 
-  void build(const GpuScene& scene, const RayQueue& rays, gl::Profiler& profiler) override;
-  void trace(const GpuScene& scene, const RayQueue& rays, Hits& hits, gl::Profiler& profiler) override;
+  void update(const FrameView& view, const SceneChange& change) override;
+  void forget() override { built_ = false; }
+  void trace(const FrameView& view, const RayQueue& rays, Hits& hits) override;
   TracerMemory memory() const override;
-  std::uint64_t lostFragments() const override { return lost_; }
+  TracerCounts counts() const override { return {&counters_.buffer(), addFragmentCounts}; }
 
  private:
   void forgetBricks();
-  void followMove(const GpuScene& scene);
+  void followMove(const GpuScene& scene, std::span<const VertexRange> moved);
   void compact();
   void clearListBuild();
   void collect(const gl::Program& program, const GpuScene& scene);
@@ -64,8 +65,8 @@ class IdentityTracer final : public Tracer {
   gl::Buffer outer_;                     // triangles that reach beyond the grid: their count, then their numbers
   gl::Buffer candidates_, brickBuilds_;  // while a frame builds
   BuildCounters counters_;
-  int firstLookAhead_ = 0;                 // of this frame's rays, bricks
-  std::optional<std::uint32_t> geometry_;  // of what is built; none: nothing is
+  int firstLookAhead_ = 0;  // of this frame's rays, bricks
+  bool built_ = false;      // for the geometry of the last update
   // Words.
   std::uint64_t used_ = 0;          // in runs
   std::uint64_t headers_ = 0;       // of those, before the entries

@@ -1,48 +1,50 @@
-// Shades what the rays found, with the lights of the deferred pass, adds it to the pixel's reflection and sends on the
-// rays of the next bounce.
+// Shades what the rays found, with the lights of the deferred pass, adds it to the rays' slots and sends on the rays of
+// the next bounce.
 #include "lib/lights.glsl"
 #include "lib/scene.glsl"
 #include "lib/sky.glsl"
+#include "shared/passes/shade_hits.h"
 
 layout(local_size_x = 64) in;
 
 layout(std430, binding = SSBO_RAYS) readonly buffer RayBlock { Ray rays[]; };
+layout(std430, binding = SSBO_PATHS) readonly buffer PathBlock { RayPath paths[]; };
 layout(std430, binding = SSBO_RAY_COUNT) readonly buffer RayCountBlock { RayCount rayCount; };
 layout(std430, binding = SSBO_HITS) readonly buffer HitBlock { Hit hits[]; };
 #ifdef HIT_SURFACES
 layout(std430, binding = SSBO_HIT_SURFACES) readonly buffer HitSurfaceBlock { HitSurface hitSurfaces[]; };
 #endif
+layout(std430, binding = SSBO_SLOTS) buffer SlotBlock { Radiance slots[]; };
 #ifdef NEXT_BOUNCE
 layout(std430, binding = SSBO_NEXT_RAYS) writeonly buffer NextRayBlock { Ray nextRays[]; };
-layout(std430, binding = SSBO_NEXT_RAY_COUNT) buffer NextRayCountBlock { RayCount nextRayCount; };
+layout(std430, binding = SSBO_NEXT_PATHS) writeonly buffer NextPathBlock { RayPath nextPaths[]; };
+layout(std430, binding = SSBO_NEXT_COUNT) buffer NextCountBlock { RayCount nextCount; };
 #endif
-
-layout(binding = IMAGE_REFLECTION, rgba32f) uniform image2D reflection;
 
 #ifdef HIT_SURFACES
 // Colour, normal and reflectivity as the method stored them; the rest from the material's factors.
 Surface storedSurface(uint index, Ray ray, Hit hit) {
-  vec3 direction = ray.directionExclude.xyz;
-  vec4 stored = hitSurfaces[index].normalReflectivity;
+  vec3 direction = ray.direction;
+  vec3 stored = hitSurfaces[index].normal;
   uint material = triangleAt(hit.triangle).w;
   vec3 a, b, c;
   trianglePositions(hit.triangle, a, b, c);
   vec3 geometric = normalize(cross(b - a, c - a));
 
   Surface s;
-  s.position = ray.originPixel.xyz + hit.t * direction;
+  s.position = ray.origin + hit.t * direction;
   s.geometricNormal = dot(geometric, direction) > 0.0 ? -geometric : geometric;
-  s.normal = dot(stored.xyz, direction) > 0.0 ? -stored.xyz : stored.xyz;
-  s.baseColor = hitSurfaces[index].baseColor.rgb;
-  s.emissive = materials[material].emissiveCutoff.rgb;
+  s.normal = dot(stored, direction) > 0.0 ? -stored : stored;
+  s.baseColor = hitSurfaces[index].baseColor;
+  s.emissive = materials[material].emissive;
   s.occlusion = 1.0;
   s.metallic = materials[material].metallic;
   s.roughness = materials[material].roughness;
-  s.reflectivity = stored.w;
+  s.reflectivity = hitSurfaces[index].reflectivity;
   uint flags = materials[material].flags;
   s.unlit = (flags & MATERIAL_UNLIT) != 0u && (flags & MATERIAL_MIRROR) == 0u;
-  vec4 specular = materials[material].specular;
-  vec3 dielectric = min(materials[material].dielectricF0 * specular.rgb, vec3(1.0)) * specular.w;
+  vec3 dielectric = min(materials[material].dielectricF0 * materials[material].specularColor, vec3(1.0)) *
+                    materials[material].specularFactor;
   s.f0 = mix(dielectric, s.baseColor, s.metallic);
   if ((flags & MATERIAL_MIRROR) != 0u) {
     s.f0 = vec3(materials[material].mirror);
@@ -60,26 +62,23 @@ void main() {
   if (index >= rayCount.count) return;
   Ray ray = rays[index];
   Hit hit = hits[index];
-  uint pixelIndex = floatBitsToUint(ray.originPixel.w);
-  ivec2 pixel = ivec2(pixelIndex % frame.width, pixelIndex / frame.width);
-  vec3 direction = ray.directionExclude.xyz;
-  vec3 throughput = ray.throughput.rgb;
-  vec4 sum = imageLoad(reflection, pixel);
+  RayPath path = paths[index];
+  vec3 direction = ray.direction;
+  vec3 sum = slots[path.slot].sum;
 
-  // Neither hit nor miss: a pixel stays untraced (the blend falls back to the sky), a longer path ends in the sky.
+  // Neither hit nor miss: a slot stays unanswered (the blend falls back to the sky), a longer path ends in the sky.
   bool answered = hit.triangle != NO_TRIANGLE || hit.t == HIT_MISS;
-  if (!answered && sum.a == 0.0) return;
-  sum.a = 1.0;
+  if (!answered && slots[path.slot].answered == 0u) return;
   if (hit.triangle == NO_TRIANGLE) {
-    imageStore(reflection, pixel, vec4(sum.rgb + throughput * skyRadiance(direction, 0.0), 1.0));
+    slots[path.slot] = Radiance(sum + path.throughput * skyRadiance(direction, 0.0), 1u);
     return;
   }
 
-  float pathLength = ray.throughput.w + hit.t;
+  float pathLength = path.pathLength + hit.t;
 #ifdef HIT_SURFACES
   Surface s = storedSurface(index, ray, hit);
 #else
-  Surface s = evaluateSurface(hit.triangle, vec2(hit.u, hit.v), direction, pathLength * frame.eye.w);
+  Surface s = evaluateSurface(hit.triangle, vec2(hit.u, hit.v), direction, pathLength * frame.pixelCone);
 #endif
   vec4 lit = directLighting(s, -direction);
   vec3 radiance = lit.rgb;
@@ -92,13 +91,13 @@ void main() {
     bool sentOn = false;
 #ifdef NEXT_BOUNCE
     if (s.reflectivity > frame.minReflectivity) {
-      uint next = atomicAdd(nextRayCount.count, 1u);  // at most one a ray: as many as this queue holds
-      nextRays[next] = Ray(vec4(s.position, ray.originPixel.w), vec4(reflected, uintBitsToFloat(hit.triangle)),
-                           vec4(throughput * share, pathLength));
+      uint next = atomicAdd(nextCount.count, 1u);  // at most one per ray: as many as this queue holds
+      nextRays[next] = Ray(s.position, FAR_AWAY, reflected, hit.triangle);
+      nextPaths[next] = RayPath(path.throughput * share, pathLength, path.pixel, path.slot, path.kind, 0u);
       sentOn = true;
     }
 #endif
     if (!sentOn) radiance += share * sky;
   }
-  imageStore(reflection, pixel, vec4(sum.rgb + throughput * radiance, 1.0));
+  slots[path.slot] = Radiance(sum + path.throughput * radiance, 1u);
 }

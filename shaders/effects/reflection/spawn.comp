@@ -1,12 +1,16 @@
 // Pixels whose reflection is traced, compacted into a queue of rays.
 #include "lib/blend.glsl"
 #include "lib/display.glsl"
+#include "shared/passes/spawn.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(std430, binding = SSBO_RAYS) writeonly buffer RayBlock { Ray rays[]; };
+layout(std430, binding = SSBO_PATHS) writeonly buffer PathBlock { RayPath paths[]; };
 layout(std430, binding = SSBO_RAY_COUNT) buffer RayCountBlock { RayCount rayCount; };
 layout(std430, binding = SSBO_CONTRIBUTIONS) buffer ContributionBlock { uint contributions[CONTRIBUTION_CLASSES]; };
+layout(std430, binding = SSBO_SLOTS) writeonly buffer SlotBlock { Radiance slots[]; };
+layout(std430, binding = SSBO_SLOT_PIXELS) writeonly buffer SlotPixelBlock { uint slotPixels[]; };
 
 shared uint selectedMask[2];
 shared uint keptMask[2];
@@ -92,10 +96,12 @@ void main() {
 
   uint index = firstRay + (word == 0u ? 0u : bitCount(keptMask[0])) + bitCount(keptMask[word] & (bit - 1u));
   // From the stored position, so that the ray is the mirror image of the line from the eye to its origin.
-  vec3 fromEye = position.xyz - frame.eye.xyz;
+  vec3 fromEye = position.xyz - frame.eye;
   vec3 direction = normalize(reflect(normalize(fromEye), normal.xyz));
   uint triangle = texelFetch(gVisibility, pixel, 0).x - 1u;
-  rays[index].originPixel = vec4(position.xyz, uintBitsToFloat(uint(pixel.y) * frame.width + uint(pixel.x)));
-  rays[index].directionExclude = vec4(direction, uintBitsToFloat(triangle));
-  rays[index].throughput = vec4(1.0, 1.0, 1.0, length(fromEye));
+  uint number = uint(pixel.y) * frame.width + uint(pixel.x);
+  rays[index] = Ray(position.xyz, FAR_AWAY, direction, triangle);
+  paths[index] = RayPath(vec3(1.0), length(fromEye), number, index, RAY_REFLECTION, 0u);
+  slots[index] = Radiance(vec3(0.0), 0u);
+  slotPixels[index] = number;
 }

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <memory>
+
+#include <halfsilver/frame_view.h>
+#include <halfsilver/settings.h>
+
+namespace halfsilver {
+
+// An effect turns a G-buffer into rays and their hits into light: one folder under effects/ each, on any Tracer. Rays
+// of one frame may come in several batches, each of which goes through
+//
+//   spawn(), then for each generation: Tracer::trace() and shade(), then resolve().
+//
+// Every call binds what its shaders read and starts from no state.
+class RayEffect {
+ public:
+  virtual ~RayEffect() = default;
+
+  // How many batches a frame needs; one queue holds a batch.
+  virtual int batches(const Settings&, const GBuffer&) const { return 1; }
+  // How many times hits may send on rays, the first rays included: at least 1.
+  virtual int generations(const Settings& settings) const = 0;
+
+  // Fills the queue with a batch of first rays, with their count and dispatch, and empties their slots. The G-buffer is
+  // shaded. Allocates what is too small.
+  virtual void spawn(const FrameView& view, const GBuffer& gbuffer, int batch, RayQueue& out, EffectFrame& frame) = 0;
+
+  // Adds the light of the hits to the rays' slots. `next` receives the rays of the next generation, with their count
+  // and dispatch; it holds as many rays as `rays` and is null in the last generation.
+  virtual void shade(const FrameView& view, const RayQueue& rays, const Hits& hits, RayQueue* next,
+                     EffectFrame& frame) = 0;
+
+  // Brings the light of a batch's slots to the pixels. `first` is the queue that spawn() filled.
+  virtual void resolve(const FrameView& view, const RayQueue& first, const EffectFrame& frame, GBuffer& gbuffer) = 0;
+};
+
+// The effect that the settings name.
+std::unique_ptr<RayEffect> makeEffect(const gl::Api& api, const Settings& settings);
+
+}  // namespace halfsilver

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "effects/ray_effect.h"
+#include "gl/program.h"
+
+namespace halfsilver {
+
+// Mirror reflections: one ray per pixel whose reflection is traced, and one from each hit that reflects.
+//
+// Traced are all pixels with a surface, or those that reflect more than a threshold, or none (SelectSettings), thinned
+// to a fraction that is scattered evenly or lies around the center, and to those whose reflection contributes enough to
+// the shaded picture. Hits are shaded with the lights and textures of the deferred pass and blended along the path as
+// the composite pass blends pixels: at each hit (1 - W) of its shading, and W of what its reflected ray finds or, where
+// the path ends, of the visible sky.
+class ReflectionEffect final : public RayEffect {
+ public:
+  explicit ReflectionEffect(const gl::Api& api);
+
+  int generations(const Settings& settings) const override { return settings.trace.bounces; }
+  // Section "select".
+  void spawn(const FrameView& view, const GBuffer& gbuffer, int batch, RayQueue& out, EffectFrame& frame) override;
+  // Section "shade". A ray that was given up leaves its pixel to the blend's fallback, or ends its path if it is not
+  // the first of it.
+  void shade(const FrameView& view, const RayQueue& rays, const Hits& hits, RayQueue* next,
+             EffectFrame& frame) override;
+  // Section "shade": GBuffer::reflection, alpha 1 where a ray was answered.
+  void resolve(const FrameView& view, const RayQueue& first, const EffectFrame& frame, GBuffer& gbuffer) override;
+
+ private:
+  const gl::Program& shading(bool surfaces, bool next);
+  void countRays(const RayQueue& queue) const;
+
+  const gl::Api* api_;
+  gl::Program spawn_, count_, resolve_;
+  gl::Program shade_[2][2];  // made on first use: [with HitSurface][with a next bounce]
+};
+
+}  // namespace halfsilver

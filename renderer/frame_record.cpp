@@ -1,0 +1,76 @@
+#include "frame_record.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace halfsilver {
+
+std::size_t Frame::bytes() const {
+  std::size_t sum = constants.bytes() + gbuffer.bytes() + effect.bytes();
+  for (const RayQueue& queue : queues) sum += queue.bytes();
+  for (const Hits& result : hits) sum += result.bytes();
+  return sum;
+}
+
+void FrameRecord::begin() {
+  profiler_.discard();
+  readback_.clear();
+  known_ = {};
+  memory_ = {};
+  reported_ = false;
+  rayCounts_.clear();
+  contributions_ = buildCounts_ = {};
+  addBuildCounts_ = nullptr;
+}
+
+void FrameRecord::end(const Frame& frame, const Tracer* tracer, std::size_t peak, std::vector<std::string> warnings) {
+  known_.pixels = static_cast<std::uint64_t>(frame.gbuffer.width) * static_cast<std::uint64_t>(frame.gbuffer.height);
+  known_.warnings = std::move(warnings);
+  known_.memory.gbuffer = frame.gbuffer.bytes();
+  known_.memory.peak = peak;
+  // Rays that nobody traces are no selection: the layers say so too.
+  if (tracer) {
+    memory_ = tracer->memory();
+    for (int i = 0; i < std::min(frame.settings.trace.bounces, 3); ++i)
+      rayCounts_.push_back(readback_.copy<shared::RayCount>(frame.queues[static_cast<std::size_t>(i)].count));
+    contributions_ = readback_.copy<std::uint32_t>(frame.effect.contributions.counts, CONTRIBUTION_CLASSES);
+    const TracerCounts counts = tracer->counts();
+    if (counts.buffer) {
+      buildCounts_ = readback_.copy<std::uint32_t>(*counts.buffer, counts.buffer->bytes() / sizeof(std::uint32_t));
+      addBuildCounts_ = counts.add;
+    }
+  }
+  readback_.submit();
+}
+
+FrameReport FrameRecord::report() {
+  if (std::exchange(reported_, true)) return known_;
+  if (!readback_.ready()) readback_.wait();
+  for (const gl::SectionTime& time : profiler_.collect()) known_.times.push_back({time.name, time.milliseconds});
+  for (const auto& slice : rayCounts_) known_.overflow += readback_.values(slice)[0].overflow;
+  if (!rayCounts_.empty()) {
+    const shared::RayCount& first = readback_.values(rayCounts_[0])[0];
+    known_.selected = first.count;
+    known_.reflecting = first.reflecting;
+    const std::span<const std::uint32_t> classes = readback_.values(contributions_);
+    known_.contributions.assign(classes.begin(), classes.end());
+  }
+  if (addBuildCounts_) addBuildCounts_(readback_.values(buildCounts_), memory_);
+
+  MemoryReport& memory = known_.memory;
+  memory.voxels = memory_.voxels;
+  for (int axis = 0; axis < 3; ++axis) memory.grid[axis] = memory_.grid[axis];
+  memory.heads = memory_.heads;
+  memory.poolReserved = memory_.poolReserved;
+  memory.poolUsed = memory_.poolUsed;
+  memory.fragments = memory_.fragments;
+  memory.fragmentsStored = memory_.fragmentsStored;
+  std::copy(std::begin(memory_.perAxis), std::end(memory_.perAxis), std::begin(memory.fragmentsPerAxis));
+  memory.bytesPerFragment = memory_.bytesPerFragment;
+  memory.structureTotal = memory_.structureTotal;
+  memory.peak += memory_.structureTotal + memory_.transient;
+  known_.lostFragments = memory_.lostFragments;
+  return known_;
+}
+
+}  // namespace halfsilver

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <halfsilver/gl/profiler.h>
+#include <halfsilver/gl/readback.h>
+#include <halfsilver/products.h>
+#include <halfsilver/renderer.h>
+#include <halfsilver/tracer.h>
+
+namespace halfsilver {
+
+// Everything that one frame owns, so that two can be under way. Queue and hits 0 are the first generation's, which the
+// layers show; later generations take turns with the others.
+struct Frame {
+  gl::Buffer constants;  // FrameConstants
+  shared::FrameConstants host{};
+  Settings settings;
+  GBuffer gbuffer;
+  EffectFrame effect;
+  std::array<RayQueue, 3> queues;
+  std::array<Hits, 2> hits;
+  bool traced = false;  // whether there is a tracer
+
+  std::size_t bytes() const;
+};
+
+// The figures of one frame. Times and counts are gathered on the GPU while it runs and arrive later.
+class FrameRecord {
+ public:
+  explicit FrameRecord(const gl::Api& api) : profiler_(api), readback_(api) {}
+
+  // Takes the sections of the frame; begin() forgets those of the frame before.
+  gl::Profiler& profiler() { return profiler_; }
+  void begin();
+  // Has the counts of the finished frame copied. `peak`: bytes of all that is not the tracer's.
+  void end(const Frame& frame, const Tracer* tracer, std::size_t peak, std::vector<std::string> warnings);
+
+  // Whether report() has all that it needs; never waits.
+  bool arrived() const { return readback_.ready() && profiler_.ready(); }
+  // After end(); waits for what has not arrived. Can be asked again.
+  FrameReport report();
+
+ private:
+  FrameReport known_;
+  TracerMemory memory_;
+  bool reported_ = false;
+  gl::Profiler profiler_;
+  gl::Readback readback_;
+  std::vector<gl::Readback::Slice<shared::RayCount>> rayCounts_;
+  gl::Readback::Slice<std::uint32_t> contributions_, buildCounts_;
+  void (*addBuildCounts_)(std::span<const std::uint32_t>, TracerMemory&) = nullptr;
+};
+
+}  // namespace halfsilver

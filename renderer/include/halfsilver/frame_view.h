@@ -1,0 +1,17 @@
+#pragma once
+
+#include <halfsilver/gl/profiler.h>
+#include <halfsilver/products.h>
+
+namespace halfsilver {
+
+// What every stage of a frame may read. A stage binds of it what its own shaders use, at the dispatch.
+struct FrameView {
+  const GpuScene& scene;
+  const ShadowMaps& shadows;
+  const gl::Buffer& constants;          // FrameConstants, for UBO_FRAME
+  const shared::FrameConstants& frame;  // the same on the host
+  gl::Profiler& profiler;
+};
+
+}  // namespace halfsilver

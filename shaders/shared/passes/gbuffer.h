@@ -1,0 +1,13 @@
+// Bindings of the G-buffer pass: passes/visibility.* and passes/gbuffer.comp.
+#ifndef HALFSILVER_PASSES_GBUFFER_H
+#define HALFSILVER_PASSES_GBUFFER_H
+
+#define SSBO_DRAW_LIST 9  // uint[triangles]: triangle numbers in drawing order
+
+#define IMAGE_POSITION 0
+#define IMAGE_NORMAL 1
+#define IMAGE_BASE_COLOR 2
+#define IMAGE_MATERIAL 3
+#define IMAGE_EMISSIVE 4
+
+#endif
