@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "gl/draw_state.h"
 #include "passes/light_list.h"
 #include "shared/passes/shadow.h"
 
@@ -64,6 +65,9 @@ std::vector<std::string> ShadowPass::run(const GpuScene& scene, std::span<const 
   }
 
   const gl::Framebuffer framebuffer(*api_);
+  gl::DrawState state{
+      .viewport = {0, 0, resolution, resolution}, .depthTest = true, .depthWrite = true, .colorWrite = false};
+  state.apply(*api_);
   for (int layer = 0; layer < layers; ++layer) {
     framebuffer.attachLayer(GL_DEPTH_ATTACHMENT, out.maps, layer);
     const float farthest = 1;
@@ -73,24 +77,20 @@ std::vector<std::string> ShadowPass::run(const GpuScene& scene, std::span<const 
   vertexArray_.bind();
   scene.bindSurfaces();
   scene.drawList.bindStorage(SSBO_DRAW_LIST);
-  api_->ClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
-  api_->Disable(GL_CULL_FACE);
-  api_->Enable(GL_DEPTH_TEST);
-  api_->DepthFunc(GL_LESS);
-  api_->DepthMask(GL_TRUE);
   for (const bool cut : {false, true}) {
     const gl::Program& program = cut ? cut_ : opaque_;
     program.use();
     for (const ShadowView& view : list.views) {
       framebuffer.attachLayer(GL_DEPTH_ATTACHMENT, out.maps, view.layer);
-      api_->Viewport(view.rectangle.x, view.rectangle.y, view.rectangle.z, view.rectangle.w);
+      state.viewport = view.rectangle;
+      state.apply(*api_);
       program.set("worldToClip", view.worldToClip);
       for (const DrawRange& range : scene.drawRanges)
         if (range.cut == cut && range.count > 0)
           api_->DrawArrays(GL_TRIANGLES, static_cast<GLint>(3 * range.first), static_cast<GLsizei>(3 * range.count));
     }
   }
-  api_->Disable(GL_DEPTH_TEST);
+  // The maps (depth) are fetched by shading; GL orders rendering before later fetches.
   return list.warnings;
 }
 
