@@ -174,7 +174,7 @@ void Renderer::Impl::begin(const Camera& camera, const Settings& wanted, int wid
     change = {};
     submitBatch(view, frame, 0);
   } else {
-    frame.queues[0] = RayQueue();  // a ray for each pixel is much memory for nothing
+    frame.queues[0] = RayQueue();  // no memory for rays that nobody traces
     frame.hits[0] = Hits();
   }
   nextRecord = (nextRecord + 1) % kRecords;

@@ -11,7 +11,7 @@ namespace halfsilver {
 namespace {
 
 // Of all shadow maps together.
-constexpr std::size_t kMostBytes = std::size_t{1} << 30;
+constexpr std::size_t kMaxBytes = std::size_t{1} << 30;
 
 gl::Program makeProgram(const gl::Api& api, bool cut) {
   std::vector<gl::Define> defines;
@@ -47,7 +47,7 @@ std::vector<std::string> ShadowPass::run(const GpuScene& scene, std::span<const 
   limits.skyDirections = settings.shadow.skyDirections;
   const std::size_t layerBytes =
       sizeof(float) * static_cast<std::size_t>(limits.resolution) * static_cast<std::size_t>(limits.resolution);
-  limits.layers = std::min<int>(api_->limits.arrayLayers, static_cast<int>(kMostBytes / layerBytes));
+  limits.layers = std::min<int>(api_->limits.arrayLayers, static_cast<int>(kMaxBytes / layerBytes));
   LightList list = makeLightList(scene.bounds, lights, sky, limits);
   if (limits.resolution < settings.shadow.resolution)
     list.warnings.push_back("shadow maps: the device draws at most " + std::to_string(limits.resolution) +
@@ -55,7 +55,7 @@ std::vector<std::string> ShadowPass::run(const GpuScene& scene, std::span<const 
 
   out.lights = gl::makeBuffer<shared::GpuLight>(*api_, list.lights, "lights");
   out.lightCount = static_cast<std::uint32_t>(list.lights.size());
-  // Something must be bound, also where nothing casts a shadow.
+  // Something must be bound, even if nothing casts a shadow.
   const int resolution = list.layers > 0 ? limits.resolution : 1;
   const int layers = std::max(list.layers, 1);
   const gl::Texture::Shape& shape = out.maps.shape();

@@ -32,10 +32,10 @@ struct Target {
 
 struct StageTime {
   std::string stage;  // "shadow", "gbuffer", "select", "voxelize", "build", "trace", "shade", "composite", "frame"
-  double milliseconds = 0;  // GPU time; negative where the driver's answer was rejected
+  double milliseconds = 0;  // GPU time; negative if the driver's answer was rejected
 };
 
-struct MemoryReport {  // bytes, counts where named so
+struct MemoryReport {  // bytes unless marked as counts
   std::uint64_t voxels = 0, heads = 0, poolReserved = 0, poolUsed = 0;
   std::uint64_t fragments = 0, fragmentsStored = 0;  // counts
   std::uint64_t fragmentsPerAxis[3] = {0, 0, 0};     // counts, stored
