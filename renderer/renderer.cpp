@@ -73,7 +73,6 @@ struct Renderer::Impl {
   void useTracer(const Settings& wanted);
   void drawShadows(const Settings& wanted, gl::Profiler& profiler);
   void reserveHits(const RayQueue& rays, Hits& hits) const;
-  void reserveQueue(const RayQueue& first, RayQueue& queue) const;
   void submitBatch(const FrameView& view, Frame& frame, int batch);
   void finishBatch(const FrameView& view, Frame& frame);
   void begin(const Camera& camera, const Settings& wanted, int width, int height);
@@ -106,15 +105,6 @@ void Renderer::Impl::reserveHits(const RayQueue& rays, Hits& hits) const {
   if (hits.surfaces.bytes() != surfaceBytes) hits.surfaces = gl::Buffer(api, surfaceBytes, "hit surfaces");
 }
 
-void Renderer::Impl::reserveQueue(const RayQueue& first, RayQueue& queue) const {
-  if (queue.capacity == first.capacity) return;
-  queue.rays = gl::Buffer(api, first.rays.bytes(), "rays of a later bounce");
-  queue.paths = gl::Buffer(api, first.paths.bytes(), "ray paths of a later bounce");
-  queue.count = gl::Buffer(api, first.count.bytes(), "ray count of a later bounce");
-  queue.count.fill(0);
-  queue.capacity = first.capacity;
-}
-
 // The first rays of a batch, on their way.
 void Renderer::Impl::submitBatch(const FrameView& view, Frame& frame, int batch) {
   effect->spawn(view, frame.gbuffer, batch, frame.queues[0], frame.effect);
@@ -131,10 +121,9 @@ void Renderer::Impl::finishBatch(const FrameView& view, Frame& frame) {
     const RayQueue& rays = frame.queues[generation == 0 ? 0 : 1 + (generation - 1) % 2];
     RayQueue& next = frame.queues[1 + generation % 2];
     Hits& hits = frame.hits[generation == 0 ? 0 : 1];
-    if (generation > 0) tracer->trace(view, rays, hits);
-    if (!last) {
-      reserveQueue(frame.queues[0], next);
-      reserveHits(next, frame.hits[1]);
+    if (generation > 0) {
+      reserveHits(rays, hits);
+      tracer->trace(view, rays, hits);
     }
     effect->shade(view, rays, hits, last ? nullptr : &next, frame.effect);
   }
