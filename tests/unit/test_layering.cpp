@@ -44,7 +44,8 @@ const std::map<std::string, std::string> kPublicHeaders = {
     {"products.h", "frame"},    {"tracer.h", "tracing"}, {"shared_structs.h", "frame"},
     {"builtin.h", "builtin"},   {"io.h", "io"},          {"context.h", "context"},
     {"exact.h", "exact"},       {"gl/api.h", "gl"},      {"gl/buffer.h", "gl"},
-    {"gl/profiler.h", "gl"},    {"gl/readback.h", "gl"}, {"gl/texture.h", "gl"},
+    {"gl/functions.h", "gl"},   {"gl/profiler.h", "gl"}, {"gl/readback.h", "gl"},
+    {"gl/texture.h", "gl"},
 };
 
 struct Include {
