@@ -32,6 +32,7 @@ struct GpuScene {
   std::uint32_t vertexCount = 0, triangleCount = 0, materialCount = 0;
   Bounds bounds;
   SceneCore core;
+  SceneExtents extents;  // keeps both up to date
   std::vector<std::string> warnings;
 
   std::size_t bytes() const;
