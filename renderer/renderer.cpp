@@ -15,6 +15,7 @@
 #include "frame/layers.h"
 #include "frame_record.h"
 #include "gl/framebuffer.h"
+#include "gl/program.h"
 #include "gl/state_guard.h"
 #include "passes/composite.h"
 #include "passes/gbuffer.h"
@@ -290,6 +291,13 @@ std::optional<FrameReport> Renderer::arrivedReport() {
   FrameReport report = r.records[*newest].report();
   r.unreported.erase(r.unreported.begin(), newest.base());
   return report;
+}
+
+std::vector<std::string> Renderer::reloadShaders() {
+  if (!impl_->underWay.empty())
+    throw Error(ErrorKind::usage, "reloadShaders(): a frame is under way, finish() it first");
+  const gl::StateGuard guard(impl_->api);
+  return gl::reloadPrograms(impl_->api);
 }
 
 Image Renderer::readLayers() const {

@@ -108,6 +108,11 @@ class Renderer {
   // order of the frames; each is given once.
   std::optional<FrameReport> arrivedReport();
 
+  // Compiles the shaders again, from the folder that the environment names in HALFSILVER_SHADERS if it names one. A
+  // program whose new source has errors stays as it was; returns the errors, one line each. Structures stay too: a
+  // change of how they are built needs forgetStructures(). Throws Error (usage) while a frame is under way.
+  std::vector<std::string> reloadShaders();
+
   // The frame that finish() ended last as the layers of the contract (R G B A, depth.Z, normal.X/Y/Z, reflectivity.Y,
   // selected.Y, hit.T, hit.id, hit.nx/ny/nz, reflection.R/G/B), rows from the top. Waits for the GPU.
   Image readLayers() const;
