@@ -140,12 +140,14 @@ struct BindingAudit::Recorder {
       const auto [type, location, size] = properties<3>(GL_UNIFORM, i, {GL_TYPE, GL_LOCATION, GL_ARRAY_SIZE});
       const bool sampler = isSampler(static_cast<GLenum>(type));
       if (!sampler && !isImage(static_cast<GLenum>(type))) continue;
+      const std::string name = resourceName(GL_UNIFORM, i), stem = name.substr(0, name.find("[0]"));
       for (GLint element = 0; element < size; ++element) {
         GLint unit = 0;
         getUniformiv(program, location + element, &unit);
         if (!(sampler ? pass().textures : pass().images).contains(static_cast<GLuint>(unit)))
-          complain((sampler ? "sampler " : "image ") + resourceName(GL_UNIFORM, i) + " (unit " + std::to_string(unit) +
-                   ") of program " + label() + " was not bound by the pass");
+          complain((sampler ? "sampler " : "image ") +
+                   (stem == name ? name : stem + '[' + std::to_string(element) + ']') + " (unit " +
+                   std::to_string(unit) + ") of program " + label() + " was not bound by the pass");
       }
     }
   }

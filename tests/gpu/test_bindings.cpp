@@ -131,7 +131,7 @@ TEST_F(BindingAuditTest, NamesTexturesImagesAndUniformBlocks) {
   EXPECT_EQ(found[0],
             "pass 'texture': uniform block StepBlock (number 1) of program texture.comp was not bound by the pass");
   const std::vector<std::string> units(found.begin() + 1, found.end());
-  for (const char* text : {"sampler pictures[0] (unit 4)", "image result (unit 4)"})
+  for (const char* text : {"sampler pictures[1] (unit 4)", "image result (unit 4)"})
     EXPECT_TRUE(units[0].find(text) != std::string::npos || units[1].find(text) != std::string::npos)
         << text << "\n"
         << units[0] << "\n"
