@@ -7,7 +7,7 @@
 #include "lib/scene.glsl"
 #include "lib/textures.glsl"
 #include "lib/alpha.glsl"
-#include "lib/surface.glsl"
+#include "lib/evaluate_surface.glsl"
 #include "tracing/stored_surface.glsl"
 #include "tracing/grid.glsl"
 #include "tracing/counters.glsl"
