@@ -17,7 +17,7 @@ constexpr std::uint32_t kMostTriangles = 1u << 24;
 
 // A linked list is a list of pages of one entry.
 int pageSize(const Settings& settings) {
-  return settings.abuffer.lists == Lists::linked ? 1 : settings.abuffer.pageSize;
+  return settings.attributes.lists == Lists::linked ? 1 : settings.attributes.pageSize;
 }
 
 gl::Program buildProgram(const gl::Api& api, const Settings& settings) {
@@ -28,18 +28,33 @@ gl::Program buildProgram(const gl::Api& api, const Settings& settings) {
 TracePass makeTracePass(const gl::Api& api, const Settings& settings) {
   std::vector<gl::Define> defines = pageDefines(pageSize(settings));
   defines.push_back({"METHOD_ATTRIBUTES"});
-  defines.push_back({"LINEAR_STEPS", std::to_string(settings.search.steps)});
-  if (settings.abuffer.sorted) defines.push_back({"SORTED"});
+  defines.push_back({"LINEAR_STEPS", std::to_string(settings.attributes.steps)});
+  if (settings.attributes.sorted) defines.push_back({"SORTED"});
   return TracePass(api, settings.trace.stage, defines);
 }
 
 const Settings& checked(const Settings& settings) {
-  if (settings.abuffer.sorted && settings.abuffer.lists != Lists::linked)
+  if (settings.attributes.sorted && settings.attributes.lists != Lists::linked)
     throw Error(ErrorKind::badInput, "setting abuffer.sorted: only linked lists can be sorted (abuffer.lists=linked)");
   return settings;
 }
 
 }  // namespace
+
+Method AttributeTracer::method() {
+  return {
+      {.name = "attributes",
+       .help = "fragments with all surface attributes (Hu et al. 2014; Kastrati & Goswami 2017)",
+       .settings = {"voxels.resolution", "voxels.raster", "voxels.axis", "abuffer.resolution", "abuffer.page_size",
+                    "abuffer.buffers", "abuffer.lists", "abuffer.sorted", "search.steps", "search.refinements",
+                    "trace.stage"},
+       .fixedResolution = true,
+       .preset = "kastrati2017",
+       .knobs = {{"search.steps", {"1", "3", "0"}},
+                 {"voxels.resolution", {"64", "128", "256"}},
+                 {"abuffer.resolution", {"256", "512", "1024", "2048"}}}},
+      [](const gl::Api& api, const Settings& settings) { return std::make_unique<AttributeTracer>(api, settings); }};
+}
 
 AttributeTracer::AttributeTracer(const gl::Api& api, const Settings& settings)
     : api_(&api),
@@ -49,7 +64,7 @@ AttributeTracer::AttributeTracer(const gl::Api& api, const Settings& settings)
       tracePass_(makeTracePass(api, settings)),
       vertexArray_(api),
       pool_(api, pageSize(settings)) {
-  if (settings.abuffer.sorted) sort_ = gl::Program::compute(api, "tracing/attributes_sort.comp", pageDefines(1));
+  if (settings.attributes.sorted) sort_ = gl::Program::compute(api, "tracing/attributes_sort.comp", pageDefines(1));
 }
 
 void AttributeTracer::update(const FrameView& view, const SceneChange&) {
@@ -62,7 +77,7 @@ void AttributeTracer::update(const FrameView& view, const SceneChange&) {
   voxelPass_.run(view, grid_, voxels_);
 
   const auto scope = view.profiler.section("build");
-  const bool three = settings_.abuffer.buffers == Buffers::three;
+  const bool three = settings_.attributes.buffers == Buffers::three;
   const auto side = static_cast<std::size_t>(grid_.texels);
   const auto mostEntries = static_cast<std::uint64_t>(api_->limits.bufferTexels) / kEntryTexels;
   pool_.begin(3 * side * side, (three ? 4 : 2) * side * side, mostEntries);
@@ -108,7 +123,7 @@ void AttributeTracer::sortLists() {
 
 void AttributeTracer::trace(const FrameView& view, const RayQueue& rays, Hits& hits) {
   grid_.apply(tracePass_.program());
-  tracePass_.program().set("refinements", settings_.search.refinements);
+  tracePass_.program().set("refinements", settings_.attributes.refinements);
   pool_.bind(tracePass_.program());
   voxels_.words.bindStorage(SSBO_VOXELS);
   entries_.bindImage(IMAGE_POOL, GL_READ_ONLY);

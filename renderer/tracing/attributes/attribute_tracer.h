@@ -16,6 +16,8 @@ namespace halfsilver {
 // its voxel's dominant axis (Kastrati & Goswami 2017).
 class AttributeTracer final : public Tracer {
  public:
+  static Method method();  // the row of the table
+
   // Throws Error (badInput) for settings that do not go together.
   AttributeTracer(const gl::Api& api, const Settings& settings);
 

@@ -54,13 +54,22 @@ void resize(const gl::Api& api, gl::Buffer& buffer, std::size_t bytes, const cha
 
 }  // namespace
 
+Method IdentityTracer::method() {
+  return {{.name = "identity",
+           .help = "fragments that name their triangle, exact ray/triangle test",
+           .settings = {"voxels.resolution", "voxels.per_triangle", "voxels.axis", "abuffer.keep", "trace.stage"},
+           .preset = "halfsilver",
+           .knobs = {{"voxels.per_triangle", {"2", "4", "8", "16", "32", "64"}}}},
+          [](const gl::Api& api, const Settings& settings) { return std::make_unique<IdentityTracer>(api, settings); }};
+}
+
 // Only conservative voxels hold every triangle, so the other rasters of VoxelRaster are not offered here.
 IdentityTracer::IdentityTracer(const gl::Api& api, const Settings& settings)
     : api_(&api),
       resolution_(settings.voxels.resolution),
-      perTriangle_(static_cast<double>(settings.voxels.perTriangle)),
+      perTriangle_(static_cast<double>(settings.identity.voxelsPerTriangle)),
       ownAxis_(settings.voxels.axis == AxisRule::own),
-      keep_(settings.abuffer.keep),
+      keep_(settings.identity.keep),
       voxelPass_(api, VoxelRaster::conservative, settings.voxels.axis),
       placeSum_(api, "RUNS"),
       setStates_(statesProgram(api, "BEGIN")),

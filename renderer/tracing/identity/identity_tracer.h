@@ -20,9 +20,11 @@ namespace halfsilver {
 // that needs a brick asks for it and waits. What is asked for is counted, placed and filled in two passes over the
 // triangles that touch it, so the memory reserved is the memory used, and bricks that no ray needs cost a word each,
 // and four bits of the coarse grid.
-// Bricks stay until triangles move into them (ABufferSettings::keep).
+// Bricks stay until triangles move into them (IdentitySettings::keep).
 class IdentityTracer final : public Tracer {
  public:
+  static Method method();  // the row of the table
+
   IdentityTracer(const gl::Api& api, const Settings& settings);
 
   void update(const FrameView& view, const SceneChange& change) override;
