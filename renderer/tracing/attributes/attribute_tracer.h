@@ -4,8 +4,8 @@
 #include <halfsilver/tracer.h>
 #include "gl/framebuffer.h"
 #include "gl/texel_buffer.h"
+#include "tracing/attributes/page_pool.h"
 #include "tracing/grid.h"
-#include "tracing/page_pool.h"
 #include "tracing/trace_pass.h"
 #include "tracing/voxel_pass.h"
 
