@@ -14,6 +14,7 @@
 #include "frame/layers.h"
 #include "frame_record.h"
 #include "gl/framebuffer.h"
+#include "gl/program.h"
 #include "gl/state_guard.h"
 #include "passes/composite.h"
 #include "passes/gbuffer.h"
@@ -69,7 +70,6 @@ struct Renderer::Impl {
   void useTracer(const Settings& wanted);
   void drawShadows(const Settings& wanted, gl::Profiler& profiler);
   void reserveHits(const RayQueue& rays, Hits& hits) const;
-  void reserveQueue(const RayQueue& first, RayQueue& queue) const;
   void submitBatch(const FrameView& view, Frame& frame, int batch);
   void finishBatch(const FrameView& view, Frame& frame);
   void begin(const Camera& camera, const Settings& wanted, int width, int height);
@@ -105,15 +105,6 @@ void Renderer::Impl::reserveHits(const RayQueue& rays, Hits& hits) const {
   if (hits.surfaces.bytes() != surfaceBytes) hits.surfaces = gl::Buffer(api, surfaceBytes, "hit surfaces");
 }
 
-void Renderer::Impl::reserveQueue(const RayQueue& first, RayQueue& queue) const {
-  if (queue.capacity == first.capacity) return;
-  queue.rays = gl::Buffer(api, first.rays.bytes(), "rays of a later bounce");
-  queue.paths = gl::Buffer(api, first.paths.bytes(), "ray paths of a later bounce");
-  queue.count = gl::Buffer(api, first.count.bytes(), "ray count of a later bounce");
-  queue.count.fill(0);
-  queue.capacity = first.capacity;
-}
-
 // The first rays of a batch, on their way.
 void Renderer::Impl::submitBatch(const FrameView& view, Frame& frame, int batch) {
   effect->spawn(view, frame.gbuffer, batch, frame.queues[0], frame.effect);
@@ -130,10 +121,9 @@ void Renderer::Impl::finishBatch(const FrameView& view, Frame& frame) {
     const RayQueue& rays = frame.queues[generation == 0 ? 0 : 1 + (generation - 1) % 2];
     RayQueue& next = frame.queues[1 + generation % 2];
     Hits& hits = frame.hits[generation == 0 ? 0 : 1];
-    if (generation > 0) tracer->trace(view, rays, hits);
-    if (!last) {
-      reserveQueue(frame.queues[0], next);
-      reserveHits(next, frame.hits[1]);
+    if (generation > 0) {
+      reserveHits(rays, hits);
+      tracer->trace(view, rays, hits);
     }
     effect->shade(view, rays, hits, last ? nullptr : &next, frame.effect);
   }
@@ -173,7 +163,7 @@ void Renderer::Impl::begin(const Camera& camera, const Settings& wanted, int wid
     change = {};
     submitBatch(view, frame, 0);
   } else {
-    frame.queues[0] = RayQueue();  // a ray for each pixel is much memory for nothing
+    frame.queues[0] = RayQueue();  // no memory for rays that nobody traces
     frame.hits[0] = Hits();
   }
   nextRecord = (nextRecord + 1) % kRecords;
@@ -303,6 +293,13 @@ std::optional<FrameReport> Renderer::arrivedReport() {
   FrameReport report = r.records[*newest].report();
   r.unreported.erase(r.unreported.begin(), newest.base());
   return report;
+}
+
+std::vector<std::string> Renderer::reloadShaders() {
+  if (!impl_->underWay.empty())
+    throw Error(ErrorKind::usage, "reloadShaders(): a frame is under way, finish() it first");
+  const gl::StateGuard guard(impl_->api);
+  return gl::reloadPrograms(impl_->api);
 }
 
 Image Renderer::readLayers() const {

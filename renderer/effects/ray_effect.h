@@ -27,7 +27,7 @@ class RayEffect {
   virtual void spawn(const FrameView& view, const GBuffer& gbuffer, int batch, RayQueue& out, EffectFrame& frame) = 0;
 
   // Adds the light of the hits to the rays' slots. `next` receives the rays of the next generation, with their count
-  // and dispatch; it holds as many rays as `rays` and is null in the last generation.
+  // and dispatch, and grows to hold as many as there can be; it is null in the last generation.
   virtual void shade(const FrameView& view, const RayQueue& rays, const Hits& hits, RayQueue* next,
                      EffectFrame& frame) = 0;
 

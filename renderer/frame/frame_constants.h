@@ -10,7 +10,7 @@
 namespace halfsilver {
 
 // Constants of one frame. viewProjection is a reversed-Z projection for a clip space of depth 0..1 (1 at the near
-// plane, 0 at the far plane or at infinity); frame.farPlane keeps the far plane, 0 where there is none. Planes that the
+// plane, 0 at the far plane or at infinity); frame.farPlane keeps the far plane, 0 if there is none. Planes that the
 // camera leaves at 0: near just before the scene's bounds or a small part of their diagonal, far at infinity.
 // Throws Error (usage) for a size below 1 or a camera without a direction or a field of view.
 shared::FrameConstants makeFrameConstants(const Camera& camera, const Bounds& bounds, const Sky& sky,

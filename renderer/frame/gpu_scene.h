@@ -8,8 +8,8 @@
 
 namespace halfsilver {
 
-// The whole scene in GPU memory; the caller's copy is not needed afterwards. Throws Error (badInput) where an index of
-// the scene points nowhere and Error (failed) where the device cannot hold it.
+// The whole scene in GPU memory; the caller's copy is not needed afterwards. Throws Error (badInput) if an index of
+// the scene points nowhere and Error (failed) if the device cannot hold it.
 GpuScene uploadScene(const gl::Api& api, const Scene& scene);
 
 // Uploads what changed in the scene that was uploaded: moved vertices, the sky, the values of materials. Throws Error

@@ -109,7 +109,7 @@ bool hasExtension(const gl::Api& api, std::string_view name) {
 }
 
 bool hasAnisotropy(const gl::Api& api) {
-  // llvmpipe (Mesa 22.3) reads the coarsest level where an anisotropic texture is sampled with explicit gradients.
+  // llvmpipe (Mesa 22.3) reads the coarsest level if an anisotropic texture is sampled with explicit gradients.
   return !api.software && (hasExtension(api, "GL_EXT_texture_filter_anisotropic") ||
                            hasExtension(api, "GL_ARB_texture_filter_anisotropic"));
 }
@@ -283,7 +283,7 @@ MaterialTextures uploadTextures(const gl::Api& api, const Scene& scene, const st
       result.buckets.push_back(std::move(bucket));
     }
   }
-  // Shaders sample a bucket even where no material has a texture.
+  // Shaders sample a bucket even if no material has a texture.
   if (result.buckets.empty()) result.buckets.push_back(makeBucket(api, {1, 1, false, {}}, 1));
   return result;
 }

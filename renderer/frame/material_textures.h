@@ -11,7 +11,7 @@
 // The scene's textures as a few 2D arrays of equal size ("buckets"), which shaders can index without bindless textures.
 namespace halfsilver {
 
-// Textures of one size and encoding that share a bucket, or several where they exceed the layers of one.
+// Textures of one size and encoding that share a bucket, or several if they exceed the layers of one.
 struct TextureGroup {
   int width = 0, height = 0;  // of the bucket; textures of another size are resampled to it
   bool srgb = false;
@@ -22,7 +22,7 @@ struct TextureRequest {
   int texture = 0;  // into Scene::textures
   int width = 0, height = 0;
   bool srgb = false;
-  bool exact = false;  // its texels decide about holes: it is resampled only where nothing else is left
+  bool exact = false;  // its texels decide about holes: it is resampled only if nothing else is left
 };
 
 struct BucketLimits {
@@ -36,12 +36,12 @@ std::vector<TextureGroup> planBuckets(std::span<const TextureRequest> requests, 
 // Buckets that a group takes.
 int bucketCount(const TextureGroup& group, const BucketLimits& limits);
 
-// The texture at another size: averaged down, interpolated up, in linear light where it is sRGB-encoded.
+// The texture at another size: averaged down, interpolated up, in linear light if it is sRGB-encoded.
 Texture resample(const Texture& texture, int width, int height);
 
 struct MaterialTextures {
   std::vector<gl::Texture> buckets;      // at least one, at most TEXTURE_BUCKETS
-  std::vector<std::uint32_t> locations;  // a texture of the scene: bucket << 16 | layer, or NO_TEXTURE where unused
+  std::vector<std::uint32_t> locations;  // a texture of the scene: bucket << 16 | layer, or NO_TEXTURE if unused
   std::vector<std::string> warnings;
 };
 
@@ -49,7 +49,7 @@ struct MaterialTextures {
 // for a texture without texels and Error (failed) when out of memory.
 MaterialTextures uploadTextures(const gl::Api& api, const Scene& scene, const std::vector<bool>& holes);
 
-// The sky's image with mipmaps, rows from the top; 1 x 1 black where the sky is a gradient. A larger image than the
+// The sky's image with mipmaps, rows from the top; 1 x 1 black if the sky is a gradient. A larger image than the
 // device takes is halved until it fits.
 gl::Texture uploadSky(const gl::Api& api, const Sky& sky);
 

@@ -7,8 +7,8 @@
 namespace halfsilver::gl {
 namespace {
 
-// Shaders bind at most this many buffers and textures at once.
-constexpr GLint kStorageBlocks = 16;
+// What OpenGL 4.5 guarantees. A program that needs more storage blocks is checked when it is linked.
+constexpr GLint kComputeStorageBlocks = 8;
 constexpr GLint kTextureUnits = 16;
 
 std::string text(const Api& api, GLenum name) {
@@ -16,10 +16,10 @@ std::string text(const Api& api, GLenum name) {
   return value ? reinterpret_cast<const char*>(value) : "unknown";
 }
 
-void require(GLint value, GLint least, const char* what) {
-  if (value < least)
+void require(GLint value, GLint needed, const char* what) {
+  if (value < needed)
     throw Error(ErrorKind::noContext, std::string("the GL device offers ") + std::to_string(value) + " " + what + ", " +
-                                          std::to_string(least) + " are needed");
+                                          std::to_string(needed) + " are needed");
 }
 
 Limits readLimits(const Api& api) {
@@ -32,8 +32,9 @@ Limits readLimits(const Api& api) {
   api.GetIntegerv(GL_MAX_FRAMEBUFFER_WIDTH, &width);
   api.GetIntegerv(GL_MAX_FRAMEBUFFER_HEIGHT, &height);
   limits.framebufferSize = std::min({width, height, limits.textureSize});
-  api.GetIntegerv(GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS, &limits.computeStorageBlocks);
+  api.GetIntegerv(GL_MAX_VERTEX_SHADER_STORAGE_BLOCKS, &limits.vertexStorageBlocks);
   api.GetIntegerv(GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS, &limits.fragmentStorageBlocks);
+  api.GetIntegerv(GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS, &limits.computeStorageBlocks);
   api.GetIntegerv(GL_MAX_TEXTURE_IMAGE_UNITS, &limits.textureUnits);
   return limits;
 }
@@ -63,8 +64,7 @@ Api Api::load(const GetProcAddress& getProcAddress) {
   for (const char* name : {"llvmpipe", "softpipe", "SWR", "SwiftShader"})
     api.software = api.software || api.renderer.find(name) != std::string::npos;
   api.limits = readLimits(api);
-  require(api.limits.computeStorageBlocks, kStorageBlocks, "storage blocks in compute shaders");
-  require(api.limits.fragmentStorageBlocks, kStorageBlocks, "storage blocks in fragment shaders");
+  require(api.limits.computeStorageBlocks, kComputeStorageBlocks, "storage blocks in compute shaders");
   require(api.limits.textureUnits, kTextureUnits, "texture units");
   return api;
 }

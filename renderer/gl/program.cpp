@@ -1,165 +1,229 @@
 #include "gl/program.h"
 
 #include <algorithm>
-#include <cstdlib>
-#include <sstream>
+#include <cctype>
+#include <functional>
+#include <map>
 #include <utility>
 
 #include <halfsilver/error.h>
-#include "gl/shader_files.h"
 
 namespace halfsilver::gl {
 namespace {
 
-std::string_view shaderText(std::string_view file) {
-  for (const ShaderFile& candidate : shaderFiles())
-    if (candidate.path == file) return candidate.text;
-  throw Error(ErrorKind::failed, "no embedded shader file " + std::string(file));
-}
+// The device's limit of storage blocks in a stage, in words.
+struct StageLimit {
+  GLint blocks;
+  const char* shaders;
+};
 
-// Appends a file and what it includes. `files` are those already in the text; a file's place among them is its source
-// string number in #line, which is how a compiler's message is brought back to the file.
-void append(std::string_view file, std::vector<std::string>& files, std::ostringstream& out) {
-  if (std::find(files.begin(), files.end(), file) != files.end()) return;
-  const std::size_t self = files.size();
-  files.emplace_back(file);
-  out << "#line 1 " << self << '\n';
-  std::istringstream lines{std::string(shaderText(file))};
-  const std::string include = "#include \"";
-  int number = 0;
-  for (std::string line; std::getline(lines, line);) {
-    ++number;
-    if (line.rfind("#version", 0) == 0 || line.rfind("#pragma once", 0) == 0) {
-      out << '\n';
-    } else if (line.rfind(include, 0) == 0) {
-      const std::size_t end = line.find('"', include.size());
-      append(line.substr(include.size(), end - include.size()), files, out);
-      out << "#line " << number + 1 << ' ' << self << '\n';
-    } else {
-      out << line << '\n';
-    }
+StageLimit storageLimit(const Limits& limits, GLenum stage) {
+  switch (stage) {
+    case GL_VERTEX_SHADER:
+      return {limits.vertexStorageBlocks, " storage blocks in vertex shaders"};
+    case GL_FRAGMENT_SHADER:
+      return {limits.fragmentStorageBlocks, " storage blocks in fragment shaders"};
+    default:
+      return {limits.computeStorageBlocks, " storage blocks in compute shaders"};
   }
 }
 
-std::string assemble(std::string_view file, std::span<const Define> defines, std::vector<std::string>& files) {
-  std::ostringstream out;
-  out << "#version 450 core\n";
-  for (const Define& define : defines) out << "#define " << define.name << ' ' << define.value << '\n';
-  append(file, files, out);
-  return out.str();
+std::string firstLine(const std::string& text) { return text.substr(0, text.find('\n')); }
+
+template <class GetLog>
+std::string readLog(const GetLog& getLog) {
+  std::string log(4096, '\0');
+  GLsizei length = 0;
+  getLog(static_cast<GLsizei>(log.size()), &length, log.data());
+  log.resize(static_cast<std::size_t>(length));
+  return log;
 }
 
-// The first line of a compiler's message, with the included file that its source string number stands for.
-std::string explain(const std::string& log, const std::vector<std::string>& files) {
-  const std::string line = log.substr(0, log.find('\n'));
-  const std::size_t digits = line.find_first_of("0123456789");
-  if (digits == std::string::npos) return line;
-  const std::size_t file = static_cast<std::size_t>(std::atoi(line.c_str() + digits));
-  return file > 0 && file < files.size() ? "in " + files[file] + ": " + line : line;
-}
-
-GLuint compile(const Api& api, const Stage& stage, std::span<const Define> defines) {
-  std::vector<std::string> files;
-  const std::string source = assemble(stage.file, defines, files);
+void attach(const Api& api, GLuint program, const Stage& stage, std::span<const Define> defines) {
+  const ShaderSource source = assembleShader(stage.file, defines);
   const GLuint shader = api.CreateShader(stage.type);
-  const char* text = source.c_str();
+  api.AttachShader(program, shader);
+  api.DeleteShader(shader);  // goes with the program
+  const char* text = source.text.c_str();
   api.ShaderSource(shader, 1, &text, nullptr);
   api.CompileShader(shader);
   GLint compiled = 0;
   api.GetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
-  if (compiled) return shader;
-  std::string log(4096, '\0');
-  GLsizei length = 0;
-  api.GetShaderInfoLog(shader, static_cast<GLsizei>(log.size()), &length, log.data());
-  api.DeleteShader(shader);
-  log.resize(static_cast<std::size_t>(length));
-  throw Error(ErrorKind::failed, "shader " + std::string(stage.file) + " does not compile: " + explain(log, files));
+  if (compiled) return;
+  const std::string log =
+      readLog([&](GLsizei size, GLsizei* length, char* out) { api.GetShaderInfoLog(shader, size, length, out); });
+  throw Error(ErrorKind::failed, "shader " + stage.file + " does not compile: " + source.explain(log));
 }
+
+// A driver that enforces its limit does not link the program, and only its message says why.
+bool speaksOfStorageBlocks(std::string log) {
+  std::transform(log.begin(), log.end(), log.begin(), [](unsigned char c) { return std::tolower(c); });
+  return log.find("storage block") != std::string::npos || log.find("storage buffer") != std::string::npos;
+}
+
+bool linked(const Api& api, GLuint program) {
+  GLint status = 0;
+  api.GetProgramiv(program, GL_LINK_STATUS, &status);
+  return status != 0;
+}
+
+void requireLinked(const Api& api, GLuint program, const std::string& label, std::span<const Stage> stages) {
+  if (linked(api, program)) return;
+  const std::string log =
+      readLog([&](GLsizei size, GLsizei* length, char* out) { api.GetProgramInfoLog(program, size, length, out); });
+  if (!speaksOfStorageBlocks(log))
+    throw Error(ErrorKind::failed, "program " + label + " does not link: " + firstLine(log));
+  std::string offered;
+  for (const Stage& stage : stages) {
+    const StageLimit limit = storageLimit(api.limits, stage.type);
+    offered += (offered.empty() ? "" : " and ") + std::to_string(limit.blocks) + limit.shaders;
+  }
+  throw Error(ErrorKind::noContext,
+              "the GL device offers " + offered + ", program " + label + " needs more: " + firstLine(log));
+}
+
+GLint activeStorageBlocks(const Api& api, GLuint program) {
+  GLint blocks = 0;
+  api.GetProgramInterfaceiv(program, GL_SHADER_STORAGE_BLOCK, GL_ACTIVE_RESOURCES, &blocks);
+  return blocks;
+}
+
+// The storage blocks of one stage of a program that has `all` of them: those of the stage linked by itself.
+// GL_REFERENCED_BY_VERTEX_SHADER and so on would say it, but Mesa 22 denies blocks whose index is not constant.
+GLint storageBlocksOf(const Api& api, const Stage& stage, std::span<const Define> defines, GLint all) {
+  const GLuint alone = api.CreateProgram();
+  api.ProgramParameteri(alone, GL_PROGRAM_SEPARABLE, GL_TRUE);  // so that its inputs and outputs count as used
+  attach(api, alone, stage, defines);
+  api.LinkProgram(alone);
+  const GLint blocks = linked(api, alone) ? activeStorageBlocks(api, alone) : all;
+  api.DeleteProgram(alone);
+  return blocks;
+}
+
+void requireStorageBlocks(const Api& api, GLuint program, const std::string& label, std::span<const Stage> stages,
+                          std::span<const Define> defines) {
+  const GLint all = activeStorageBlocks(api, program);
+  for (const Stage& stage : stages) {
+    const StageLimit limit = storageLimit(api.limits, stage.type);
+    if (all <= limit.blocks) continue;
+    const GLint needed = stages.size() == 1 ? all : storageBlocksOf(api, stage, defines, all);
+    if (needed > limit.blocks)
+      throw Error(ErrorKind::noContext, "the GL device offers " + std::to_string(limit.blocks) + limit.shaders +
+                                            ", program " + label + " needs " + std::to_string(needed));
+  }
+}
+
+GLuint link(const Api& api, std::span<const Stage> stages, std::span<const Define> defines) {
+  const std::string label(stages.empty() ? "" : stages.back().file);
+  const GLuint program = api.CreateProgram();
+  try {
+    for (const Stage& stage : stages) attach(api, program, stage, defines);
+    api.LinkProgram(program);
+    requireLinked(api, program, label, stages);
+    requireStorageBlocks(api, program, label, stages, defines);
+  } catch (...) {
+    api.DeleteProgram(program);
+    throw;
+  }
+  api.ObjectLabel(GL_PROGRAM, program, -1, label.c_str());
+  return program;
+}
+
+// Calls glProgramUniform* for the type of the value.
+struct UniformSetter {
+  const Api& api;
+  GLuint program;
+  GLint location;
+
+  void operator()(int v) const { api.ProgramUniform1i(program, location, v); }
+  void operator()(unsigned v) const { api.ProgramUniform1ui(program, location, v); }
+  void operator()(float v) const { api.ProgramUniform1f(program, location, v); }
+  void operator()(const glm::vec2& v) const { api.ProgramUniform2f(program, location, v.x, v.y); }
+  void operator()(const glm::vec3& v) const { api.ProgramUniform3f(program, location, v.x, v.y, v.z); }
+  void operator()(const glm::vec4& v) const { api.ProgramUniform4f(program, location, v.x, v.y, v.z, v.w); }
+  void operator()(const glm::ivec3& v) const { api.ProgramUniform3i(program, location, v.x, v.y, v.z); }
+  void operator()(const glm::mat4& v) const { api.ProgramUniformMatrix4fv(program, location, 1, GL_FALSE, &v[0][0]); }
+};
 
 }  // namespace
 
-std::string assembleShader(std::string_view file, std::span<const Define> defines) {
-  std::vector<std::string> files;
-  return assemble(file, defines, files);
-}
-
-Program::Program(const Api& api, std::span<const Stage> stages, std::span<const Define> defines) : api_(&api) {
-  std::vector<GLuint> shaders;
-  const auto release = [&] {
-    for (const GLuint shader : shaders) api.DeleteShader(shader);
+struct LinkedProgram {
+  struct Uniform {
+    GLint location;
+    UniformValue value;
   };
-  try {
-    for (const Stage& stage : stages) shaders.push_back(compile(api, stage, defines));
-  } catch (...) {
-    release();
-    throw;
+
+  LinkedProgram(const Api& table, std::span<const Stage> stageList, std::span<const Define> defineList)
+      : api(&table),
+        stages(stageList.begin(), stageList.end()),
+        defines(defineList.begin(), defineList.end()),
+        name(link(table, stages, defines)) {}
+  ~LinkedProgram() { api->DeleteProgram(name); }
+  LinkedProgram(const LinkedProgram&) = delete;
+  LinkedProgram& operator=(const LinkedProgram&) = delete;
+
+  GLint location(const std::string& uniform) const { return api->GetUniformLocation(name, uniform.c_str()); }
+
+  void set(std::string_view uniform, const UniformValue& value) {
+    auto known = uniforms.find(uniform);
+    if (known == uniforms.end()) {
+      const std::string text(uniform);
+      known = uniforms.emplace(text, Uniform{location(text), {}}).first;
+    }
+    known->second.value = value;
+    std::visit(UniformSetter{*api, name, known->second.location}, value);
   }
-  name_ = api.CreateProgram();
-  for (const GLuint shader : shaders) api.AttachShader(name_, shader);
-  api.LinkProgram(name_);
-  release();
-  GLint linked = 0;
-  api.GetProgramiv(name_, GL_LINK_STATUS, &linked);
-  const std::string label(stages.empty() ? "" : stages.back().file);
-  api.ObjectLabel(GL_PROGRAM, name_, -1, label.c_str());
-  if (linked) return;
-  std::string log(4096, '\0');
-  GLsizei length = 0;
-  api.GetProgramInfoLog(name_, static_cast<GLsizei>(log.size()), &length, log.data());
-  api.DeleteProgram(name_);
-  name_ = 0;
-  log.resize(static_cast<std::size_t>(length));
-  throw Error(ErrorKind::failed, "program " + label + " does not link: " + log.substr(0, log.find('\n')));
+
+  void reload() {
+    const GLuint old = std::exchange(name, link(*api, stages, defines));
+    api->DeleteProgram(old);
+    for (auto& [text, uniform] : uniforms) {
+      uniform.location = location(text);
+      std::visit(UniformSetter{*api, name, uniform.location}, uniform.value);
+    }
+  }
+
+  const Api* api;
+  std::vector<Stage> stages;
+  std::vector<Define> defines;
+  GLuint name;
+  std::map<std::string, Uniform, std::less<>> uniforms;  // those that have been set
+};
+
+Program::Program(const Api& api, std::span<const Stage> stages, std::span<const Define> defines)
+    : linked_(std::make_shared<LinkedProgram>(api, stages, defines)) {
+  std::erase_if(*api.programs, [](const std::weak_ptr<LinkedProgram>& program) { return program.expired(); });
+  api.programs->push_back(linked_);
 }
 
 Program Program::compute(const Api& api, std::string_view file, std::span<const Define> defines) {
-  const Stage stages[] = {{GL_COMPUTE_SHADER, file}};
+  const Stage stages[] = {{GL_COMPUTE_SHADER, std::string(file)}};
   return Program(api, stages, defines);
 }
 
 Program Program::raster(const Api& api, std::string_view vertex, std::string_view fragment,
                         std::span<const Define> defines) {
-  const Stage stages[] = {{GL_VERTEX_SHADER, vertex}, {GL_FRAGMENT_SHADER, fragment}};
+  const Stage stages[] = {{GL_VERTEX_SHADER, std::string(vertex)}, {GL_FRAGMENT_SHADER, std::string(fragment)}};
   return Program(api, stages, defines);
 }
 
-Program::~Program() {
-  if (name_) api_->DeleteProgram(name_);
-}
+void Program::use() const { linked_->api->UseProgram(linked_->name); }
 
-Program::Program(Program&& other) noexcept : api_(other.api_), name_(std::exchange(other.name_, 0)) {}
+void Program::set(std::string_view uniform, const UniformValue& value) const { linked_->set(uniform, value); }
 
-Program& Program::operator=(Program&& other) noexcept {
-  std::swap(api_, other.api_);
-  std::swap(name_, other.name_);
-  return *this;
-}
-
-void Program::use() const { api_->UseProgram(name_); }
-
-void Program::set(const char* uniform, int value) const {
-  api_->ProgramUniform1i(name_, api_->GetUniformLocation(name_, uniform), value);
-}
-void Program::set(const char* uniform, unsigned value) const {
-  api_->ProgramUniform1ui(name_, api_->GetUniformLocation(name_, uniform), value);
-}
-void Program::set(const char* uniform, float value) const {
-  api_->ProgramUniform1f(name_, api_->GetUniformLocation(name_, uniform), value);
-}
-void Program::set(const char* uniform, const glm::vec2& value) const {
-  api_->ProgramUniform2f(name_, api_->GetUniformLocation(name_, uniform), value.x, value.y);
-}
-void Program::set(const char* uniform, const glm::vec3& value) const {
-  api_->ProgramUniform3f(name_, api_->GetUniformLocation(name_, uniform), value.x, value.y, value.z);
-}
-void Program::set(const char* uniform, const glm::vec4& value) const {
-  api_->ProgramUniform4f(name_, api_->GetUniformLocation(name_, uniform), value.x, value.y, value.z, value.w);
-}
-void Program::set(const char* uniform, const glm::ivec3& value) const {
-  api_->ProgramUniform3i(name_, api_->GetUniformLocation(name_, uniform), value.x, value.y, value.z);
-}
-void Program::set(const char* uniform, const glm::mat4& value) const {
-  api_->ProgramUniformMatrix4fv(name_, api_->GetUniformLocation(name_, uniform), 1, GL_FALSE, &value[0][0]);
+std::vector<std::string> reloadPrograms(const Api& api) {
+  std::vector<std::string> errors;
+  for (const std::weak_ptr<LinkedProgram>& entry : *api.programs) {
+    const std::shared_ptr<LinkedProgram> program = entry.lock();
+    if (!program) continue;
+    try {
+      program->reload();
+    } catch (const Error& error) {
+      // Variants of a program share their errors.
+      if (std::find(errors.begin(), errors.end(), error.what()) == errors.end()) errors.emplace_back(error.what());
+    }
+  }
+  return errors;
 }
 
 }  // namespace halfsilver::gl

@@ -2,6 +2,8 @@
 
 #include <vector>
 
+#include "gl/draw_state.h"
+
 namespace halfsilver {
 namespace {
 
@@ -19,21 +21,19 @@ CompositePass::CompositePass(const gl::Api& api)
 void CompositePass::run(const FrameView& view, const GBuffer& gbuffer, Output output, GLuint framebuffer,
                         const glm::ivec2& origin) const {
   const auto section = view.profiler.section("composite");
+  const gl::Program& program = output == Output::display ? display_ : linear_;
+  program.set("origin", glm::vec2(origin));
+  program.use();
   view.constants.bindUniform(UBO_FRAME);
+  gbuffer.shaded.bind(UNIT_SHADED);
+  gbuffer.reflection.bind(UNIT_REFLECTION);
   view.scene.sky.bind(UNIT_SKY);
   gbuffer.position.bind(UNIT_POSITION);
   gbuffer.normal.bind(UNIT_NORMAL);
   gbuffer.material.bind(UNIT_MATERIAL);
-  gbuffer.shaded.bind(UNIT_SHADED);
-  gbuffer.reflection.bind(UNIT_REFLECTION);
-  const gl::Program& program = output == Output::display ? display_ : linear_;
-  program.set("origin", glm::vec2(origin));
-  program.use();
-  vertexArray_.bind();
   api_->BindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
-  api_->Disable(GL_DEPTH_TEST);
-  api_->Disable(GL_CULL_FACE);
-  api_->Viewport(origin.x, origin.y, gbuffer.width, gbuffer.height);
+  vertexArray_.bind();
+  gl::DrawState{.viewport = {origin, gbuffer.width, gbuffer.height}}.apply(*api_);
   api_->DrawArrays(GL_TRIANGLES, 0, 3);
 }
 

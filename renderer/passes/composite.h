@@ -12,8 +12,8 @@ namespace halfsilver {
 class CompositePass {
  public:
   enum class Output {
-    display,  // exposed, tone mapped, sRGB-encoded by the shader, dithered: for plain 8-bit colour
-    linear    // radiance: for float colour
+    display,  // exposed, tone mapped, sRGB-encoded by the shader, dithered: for plain 8-bit color
+    linear    // radiance: for float color
   };
 
   explicit CompositePass(const gl::Api& api);

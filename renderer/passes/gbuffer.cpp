@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "gl/draw_state.h"
 #include "shared/passes/gbuffer.h"
 
 namespace halfsilver {
@@ -60,34 +61,23 @@ void GBufferPass::rasterize(const FrameView& view, const GBuffer& out) const {
   view.constants.bindUniform(UBO_FRAME);
   view.scene.bindSurfaces();
   view.scene.drawList.bindStorage(SSBO_DRAW_LIST);
-  gl.Viewport(0, 0, out.width, out.height);
-  gl.Disable(GL_SCISSOR_TEST);
-  gl.Disable(GL_BLEND);
-  gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  gl.DepthMask(GL_TRUE);
-  gl.Enable(GL_DEPTH_TEST);
-  gl.DepthFunc(GL_GREATER);
   // Reversed depth in 0..1 keeps a float's relative precision at every distance.
-  gl.ClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
-  gl.DepthRange(0, 1);
-  gl.FrontFace(GL_CCW);
-  gl.CullFace(GL_BACK);
+  gl::DrawState state{.viewport = {0, 0, out.width, out.height},
+                      .depthTest = true,
+                      .depthFunction = GL_GREATER,
+                      .depthWrite = true,
+                      .clipDepth = GL_ZERO_TO_ONE};
+  state.apply(gl);
   const GLuint nothing[4] = {0, 0, 0, 0};
   const GLfloat farthest = 0;
   gl.ClearNamedFramebufferuiv(framebuffer_.name(), GL_COLOR, 0, nothing);
   gl.ClearNamedFramebufferfv(framebuffer_.name(), GL_DEPTH, 0, &farthest);
   for (const DrawRange& range : view.scene.drawRanges) {
     (range.cut ? cut_ : opaque_).use();
-    if (view.frame.cullBackFaces && !range.doubleSided)
-      gl.Enable(GL_CULL_FACE);
-    else
-      gl.Disable(GL_CULL_FACE);
+    state.cullFaces = view.frame.cullBackFaces && !range.doubleSided;
+    state.apply(gl);
     gl.DrawArrays(GL_TRIANGLES, static_cast<GLint>(3 * range.first), static_cast<GLsizei>(3 * range.count));
   }
-  gl.Disable(GL_CULL_FACE);
-  gl.Disable(GL_DEPTH_TEST);
-  gl.DepthFunc(GL_LESS);
-  gl.ClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
 }
 
 void GBufferPass::resolve(const FrameView& view, const GBuffer& out) const {

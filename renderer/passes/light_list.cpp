@@ -17,7 +17,7 @@ using glm::vec4;
 
 // The sky's light is smooth: a sixteenth of a layer a direction, but not less than this many texels a side.
 constexpr int kSkyTiles = 4;
-constexpr int kLeastTile = 64;
+constexpr int kMinTile = 64;
 // Texels around a fitted view that the filter may reach.
 constexpr int kMargin = 4;
 // Light that reaches a surface by way of others, for a mean reflectance of 0.35: once, twice and so on sum up to
@@ -114,7 +114,7 @@ struct Shares {
 
 Shares share(std::span<const Light> lights, const LightListLimits& limits, std::vector<std::string>& warnings) {
   Shares shares;
-  shares.tile = std::max(limits.resolution / kSkyTiles, std::min(limits.resolution, kLeastTile));
+  shares.tile = std::max(limits.resolution / kSkyTiles, std::min(limits.resolution, kMinTile));
   const int perSide = limits.resolution / shares.tile;
   shares.tilesPerLayer = perSide * perSide;
   for (const Light& light : lights) {

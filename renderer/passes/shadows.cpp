@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "gl/draw_state.h"
 #include "passes/light_list.h"
 #include "shared/passes/shadow.h"
 
@@ -10,7 +11,7 @@ namespace halfsilver {
 namespace {
 
 // Of all shadow maps together.
-constexpr std::size_t kMostBytes = std::size_t{1} << 30;
+constexpr std::size_t kMaxBytes = std::size_t{1} << 30;
 
 gl::Program makeProgram(const gl::Api& api, bool cut) {
   std::vector<gl::Define> defines;
@@ -46,7 +47,7 @@ std::vector<std::string> ShadowPass::run(const GpuScene& scene, std::span<const 
   limits.skyDirections = settings.shadow.skyDirections;
   const std::size_t layerBytes =
       sizeof(float) * static_cast<std::size_t>(limits.resolution) * static_cast<std::size_t>(limits.resolution);
-  limits.layers = std::min<int>(api_->limits.arrayLayers, static_cast<int>(kMostBytes / layerBytes));
+  limits.layers = std::min<int>(api_->limits.arrayLayers, static_cast<int>(kMaxBytes / layerBytes));
   LightList list = makeLightList(scene.bounds, lights, sky, limits);
   if (limits.resolution < settings.shadow.resolution)
     list.warnings.push_back("shadow maps: the device draws at most " + std::to_string(limits.resolution) +
@@ -54,7 +55,7 @@ std::vector<std::string> ShadowPass::run(const GpuScene& scene, std::span<const 
 
   out.lights = gl::makeBuffer<shared::GpuLight>(*api_, list.lights, "lights");
   out.lightCount = static_cast<std::uint32_t>(list.lights.size());
-  // Something must be bound, also where nothing casts a shadow.
+  // Something must be bound, even if nothing casts a shadow.
   const int resolution = list.layers > 0 ? limits.resolution : 1;
   const int layers = std::max(list.layers, 1);
   const gl::Texture::Shape& shape = out.maps.shape();
@@ -64,6 +65,9 @@ std::vector<std::string> ShadowPass::run(const GpuScene& scene, std::span<const 
   }
 
   const gl::Framebuffer framebuffer(*api_);
+  gl::DrawState state{
+      .viewport = {0, 0, resolution, resolution}, .depthTest = true, .depthWrite = true, .colorWrite = false};
+  state.apply(*api_);
   for (int layer = 0; layer < layers; ++layer) {
     framebuffer.attachLayer(GL_DEPTH_ATTACHMENT, out.maps, layer);
     const float farthest = 1;
@@ -73,24 +77,20 @@ std::vector<std::string> ShadowPass::run(const GpuScene& scene, std::span<const 
   vertexArray_.bind();
   scene.bindSurfaces();
   scene.drawList.bindStorage(SSBO_DRAW_LIST);
-  api_->ClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
-  api_->Disable(GL_CULL_FACE);
-  api_->Enable(GL_DEPTH_TEST);
-  api_->DepthFunc(GL_LESS);
-  api_->DepthMask(GL_TRUE);
   for (const bool cut : {false, true}) {
     const gl::Program& program = cut ? cut_ : opaque_;
     program.use();
     for (const ShadowView& view : list.views) {
       framebuffer.attachLayer(GL_DEPTH_ATTACHMENT, out.maps, view.layer);
-      api_->Viewport(view.rectangle.x, view.rectangle.y, view.rectangle.z, view.rectangle.w);
+      state.viewport = view.rectangle;
+      state.apply(*api_);
       program.set("worldToClip", view.worldToClip);
       for (const DrawRange& range : scene.drawRanges)
         if (range.cut == cut && range.count > 0)
           api_->DrawArrays(GL_TRIANGLES, static_cast<GLint>(3 * range.first), static_cast<GLsizei>(3 * range.count));
     }
   }
-  api_->Disable(GL_DEPTH_TEST);
+  // The maps (depth) are fetched by shading; GL orders rendering before later fetches.
   return list.warnings;
 }
 

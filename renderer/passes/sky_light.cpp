@@ -100,7 +100,7 @@ SkyLight integrateSky(const Sky& sky, int count) {
   const std::vector<Patch> all = patches(sky);
   const std::vector<vec3> points = spread(count);
   SkyLight light;
-  std::vector<glm::mat3> flux(points.size(), glm::mat3(0));  // a column per colour: radiance times direction
+  std::vector<glm::mat3> flux(points.size(), glm::mat3(0));  // a column per color: radiance times direction
   for (const Patch& patch : all) {
     const vec3 power = patch.radiance * patch.solidAngle;
     (patch.direction.y > 0 ? light.upper : light.lower) += power * std::abs(patch.direction.y);

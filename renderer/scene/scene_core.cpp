@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <functional>
+#include <limits>
+#include <numeric>
 #include <queue>
 
 namespace halfsilver {
@@ -9,7 +11,13 @@ namespace {
 
 constexpr float kWorthwhile = 4;
 
-float longest(const glm::vec3& size) { return glm::max(size.x, glm::max(size.y, size.z)); }
+// 0 for an empty box, and never NaN.
+float longestSide(const Bounds& bounds) {
+  const glm::vec3 extent = bounds.extent();
+  float longest = 0;
+  for (int axis = 0; axis < 3; ++axis) longest = std::max(longest, extent[axis]);
+  return longest;
+}
 
 Bounds boundsOf(const Scene& scene, const Triangle& triangle) {
   Bounds bounds;
@@ -17,42 +25,130 @@ Bounds boundsOf(const Scene& scene, const Triangle& triangle) {
   return bounds;
 }
 
+void add(Bounds& bounds, const Bounds& other) {
+  bounds.low = glm::min(bounds.low, other.low);
+  bounds.high = glm::max(bounds.high, other.high);
+}
+
+bool reachesBeyond(const Bounds& inner, const Bounds& outer) {
+  return glm::any(glm::lessThan(inner.low, outer.low)) || glm::any(glm::greaterThan(inner.high, outer.high));
+}
+
+std::span<const Triangle> trianglesOf(const Scene& scene, std::size_t block) {
+  const std::size_t first = block * SceneExtents::kBlockTriangles;
+  return std::span(scene.triangles)
+      .subspan(first, std::min(SceneExtents::kBlockTriangles, scene.triangles.size() - first));
+}
+
+// Sorted, without empty ranges and overlaps.
+std::vector<VertexRange> mergeRanges(std::span<const VertexRange> ranges) {
+  std::vector<VertexRange> sorted(ranges.begin(), ranges.end());
+  std::erase_if(sorted, [](const VertexRange& range) { return range.count == 0; });
+  std::sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<VertexRange> merged;
+  for (const VertexRange& range : sorted) {
+    if (merged.empty() || range.first > merged.back().first + merged.back().count)
+      merged.push_back(range);
+    else
+      merged.back().count = std::max(merged.back().count, range.first + range.count - merged.back().first);
+  }
+  return merged;
+}
+
 }  // namespace
 
-SceneCore findCore(const Scene& scene) {
-  SceneCore whole{scene.bounds(), {}};
-  if (scene.triangles.size() <= kMostOuterTriangles) return whole;
-  // The sizes of the largest triangles, and of the first that must stay.
-  std::priority_queue<float, std::vector<float>, std::greater<>> largest;
-  for (const Triangle& triangle : scene.triangles) {
-    const float size = longest(boundsOf(scene, triangle).extent());
-    if (largest.size() <= kMostOuterTriangles) {
-      largest.push(size);
-    } else if (size > largest.top()) {
-      largest.pop();
-      largest.push(size);
-    }
+SceneExtents::SceneExtents(const Scene& scene)
+    : blocks_((scene.triangles.size() + kBlockTriangles - 1) / kBlockTriangles) {
+  for (std::size_t block = 0; block < blocks_.size(); ++block) {
+    Block& b = blocks_[block];
+    b.firstVertex = std::numeric_limits<std::uint32_t>::max();
+    for (const Triangle& triangle : trianglesOf(scene, block))
+      for (const std::uint32_t vertex : triangle.vertices) {
+        b.firstVertex = std::min(b.firstVertex, vertex);
+        b.lastVertex = std::max(b.lastVertex, vertex);
+      }
+    measure(scene, block);
   }
-  const float most = largest.top();
-  SceneCore core;
-  std::vector<std::uint32_t> large;
-  for (std::uint32_t i = 0; i < scene.triangles.size(); ++i) {
-    const Bounds bounds = boundsOf(scene, scene.triangles[i]);
-    if (longest(bounds.extent()) > most) {
-      large.push_back(i);
-    } else {
-      core.bounds.add(bounds.low);
-      core.bounds.add(bounds.high);
-    }
-  }
-  if (kWorthwhile * longest(core.bounds.extent()) > longest(whole.bounds.extent())) return whole;
-  for (const std::uint32_t i : large) {
-    const Bounds bounds = boundsOf(scene, scene.triangles[i]);
-    if (glm::any(glm::lessThan(bounds.low, core.bounds.low)) ||
-        glm::any(glm::greaterThan(bounds.high, core.bounds.high)))
-      core.outer.push_back(i);
-  }
-  return core;
+  combine(scene);
 }
+
+std::size_t SceneExtents::update(const Scene& scene, std::span<const VertexRange> moved) {
+  const std::vector<VertexRange> ranges = mergeRanges(moved);
+  std::size_t measured = 0;
+  for (std::size_t block = 0; block < blocks_.size(); ++block) {
+    const Block& b = blocks_[block];
+    const auto range = std::partition_point(ranges.begin(), ranges.end(), [&](const VertexRange& each) {
+      return each.first + each.count <= b.firstVertex;
+    });
+    if (range == ranges.end() || range->first > b.lastVertex) continue;
+    measure(scene, block);
+    ++measured;
+  }
+  if (measured > 0) combine(scene);
+  return measured;
+}
+
+void SceneExtents::measure(const Scene& scene, std::size_t block) {
+  Block& b = blocks_[block];
+  b.bounds = Bounds();
+  b.largest = 0;
+  for (const Triangle& triangle : trianglesOf(scene, block)) {
+    const Bounds bounds = boundsOf(scene, triangle);
+    add(b.bounds, bounds);
+    b.largest = std::max(b.largest, longestSide(bounds));
+  }
+}
+
+// The size of the largest triangle behind the kMaxOuterTriangles that may go. The blocks with the largest triangles
+// hold them all.
+float SceneExtents::largestThatStays(const Scene& scene) const {
+  constexpr std::size_t kSizes = kMaxOuterTriangles + 1;
+  std::vector<std::size_t> order(blocks_.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto candidates = order.begin() + static_cast<std::ptrdiff_t>(std::min(kSizes, order.size()));
+  std::partial_sort(order.begin(), candidates, order.end(),
+                    [this](std::size_t a, std::size_t b) { return blocks_[a].largest > blocks_[b].largest; });
+  std::priority_queue<float, std::vector<float>, std::greater<>> largest;
+  for (auto block = order.begin(); block != candidates; ++block) {
+    if (largest.size() == kSizes && blocks_[*block].largest <= largest.top()) break;
+    for (const Triangle& triangle : trianglesOf(scene, *block)) {
+      largest.push(longestSide(boundsOf(scene, triangle)));
+      if (largest.size() > kSizes) largest.pop();
+    }
+  }
+  return largest.top();
+}
+
+void SceneExtents::combine(const Scene& scene) {
+  bounds_ = Bounds();
+  for (const Block& block : blocks_) add(bounds_, block.bounds);
+  core_ = {bounds_, {}};
+  if (scene.triangles.size() <= kMaxOuterTriangles) return;
+
+  const float limit = largestThatStays(scene);
+  Bounds inner;
+  std::vector<std::uint32_t> large;
+  for (std::size_t block = 0; block < blocks_.size(); ++block) {
+    if (blocks_[block].largest <= limit) {
+      add(inner, blocks_[block].bounds);
+      continue;
+    }
+    auto number = static_cast<std::uint32_t>(block * kBlockTriangles);
+    for (const Triangle& triangle : trianglesOf(scene, block)) {
+      const Bounds bounds = boundsOf(scene, triangle);
+      if (longestSide(bounds) > limit)
+        large.push_back(number);
+      else
+        add(inner, bounds);
+      ++number;
+    }
+  }
+  if (kWorthwhile * longestSide(inner) > longestSide(bounds_)) return;
+  core_.bounds = inner;
+  std::erase_if(large, [&](std::uint32_t t) { return !reachesBeyond(boundsOf(scene, scene.triangles[t]), inner); });
+  core_.outer = std::move(large);
+}
+
+SceneCore findCore(const Scene& scene) { return SceneExtents(scene).core(); }
 
 }  // namespace halfsilver

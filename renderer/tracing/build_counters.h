@@ -9,7 +9,7 @@
 
 namespace halfsilver {
 
-// Counts of a build, spread over slots to spare the atomics; see shaders/shared/tracing.h for the kinds.
+// Counts of a build, spread over slots so that atomics collide less; see shaders/shared/tracing.h for the kinds.
 class BuildCounters {
  public:
   explicit BuildCounters(const gl::Api& api);

@@ -10,7 +10,7 @@
 namespace halfsilver {
 namespace {
 
-// Iterations after which a ray yields, where the driver stops shaders at 65,535 of them in a vector of eight rays.
+// Iterations after which a ray yields if the driver stops shaders at 65,535 of them in a vector of eight rays.
 constexpr int kSoftwareWorkLimit = 4000;
 // Dispatches after which the rest is given up; a ray does at least a voxel in each.
 constexpr int kMaxDispatches = 1024;

@@ -1,6 +1,6 @@
-// Turns the count of a ray queue into an indirect dispatch of 64 rays a group. A dispatch takes 65,535 groups along an
+// Turns the count of a ray queue into an indirect dispatch of 64 rays per group. A dispatch takes 65,535 groups along an
 // axis, so large queues get rows of groups: ray = 64 * (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) +
-// gl_LocalInvocationIndex, where that is below `count`.
+// gl_LocalInvocationIndex, if that is below `count`.
 #include "shared/bindings.h"
 #include "shared/structs.h"
 

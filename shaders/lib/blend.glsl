@@ -1,5 +1,4 @@
-// How the colours of a pixel add up: base + share * reflection, where no ray's radiance stands for the reflection the
-// sky's does.
+// How the colors of a pixel add up: base + share * reflection. Without a traced ray the sky stands in for the reflection.
 #include "lib/fresnel.glsl"
 #include "lib/gbuffer.glsl"
 #include "lib/sky.glsl"
@@ -8,7 +7,7 @@ layout(binding = UNIT_SHADED) uniform sampler2D gShaded;
 
 struct Blend {
   vec3 base;   // radiance without the traced reflection
-  vec3 share;  // of the reflection; 0 where there is none
+  vec3 share;  // of the reflection; 0 if there is none
   vec3 sky;    // radiance of the sky in the reflected direction
 };
 

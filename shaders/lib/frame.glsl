@@ -4,13 +4,13 @@
 
 layout(std140, binding = UBO_FRAME) uniform FrameBlock { FrameConstants frame; };
 
-// Of the pixel's centre: -1..1 from left to right and from bottom to top. Row 0 is the bottom.
+// Of the pixel's center: -1..1 from left to right and from bottom to top. Row 0 is the bottom.
 vec2 screenPosition(ivec2 pixel) {
   ivec2 size = ivec2(frame.width, frame.height);
   return vec2(2 * pixel + 1 - size) / vec2(size);
 }
 
-// Through the pixel's centre, not normalised: its component along frame.forward is 1.
+// Through the pixel's center, not normalized: its component along frame.forward is 1.
 vec3 pixelRay(ivec2 pixel) {
   vec2 screen = screenPosition(pixel);
   return frame.forward + screen.x * frame.right + screen.y * frame.up;

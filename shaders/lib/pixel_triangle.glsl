@@ -20,7 +20,7 @@ TrianglePoint pointOnTriangle(uint triangle, vec3 ray) {
   vec3 edge1 = b - a, edge2 = c - a;
   vec3 fromEye = a - frame.eye;
   vec2 uv = solveBarycentrics(fromEye, edge1, edge2, ray);
-  // A triangle seen edge-on has no answer; pixel centres on an edge are a rounding error outside.
+  // A triangle seen edge-on has no answer; pixel centers on an edge are a rounding error outside.
   if (any(isnan(uv)) || any(isinf(uv))) uv = vec2(1.0 / 3.0);
   uv = clamp(uv, vec2(0.0), vec2(1.0));
   if (uv.x + uv.y > 1.0) uv /= uv.x + uv.y;

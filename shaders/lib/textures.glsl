@@ -26,7 +26,7 @@ ivec2 textureExtent(GpuTexture use) {
   }
 }
 
-// Sampler arrays take constant indices only, where the index differs between neighbours.
+// Sampler arrays take constant indices only, if the index differs between neighbors.
 vec4 sampleBucket(uint bucket, vec3 coordinates, vec2 ddx, vec2 ddy) {
   switch (bucket) {
     case 0u: return textureGrad(materialTextures[0], coordinates, ddx, ddy);
@@ -69,7 +69,7 @@ vec4 sampleTexture(GpuTexture use, vec2 uv, vec2 ddx, vec2 ddy) {
                       wrapCoordinate(uv.y, (use.sampling >> 2) & 3u, 0.5 * texel.y));
   // Gradients of a quarter of a texel name a level to the sampler; zero would be a division by zero to some.
   if (nearest) {
-    // The centre of the nearest texel of one level: the linear filter then gives that texel alone.
+    // The center of the nearest texel of one level: the linear filter then gives that texel alone.
     vec2 levelSize = max(floor(size * exp2(-level)), vec2(1.0));
     wrapped = (min(floor(wrapped * levelSize), levelSize - 1.0) + 0.5) / levelSize;
   }

@@ -9,7 +9,7 @@ flat out uint triangle;
 void main() {
   triangle = drawList[gl_VertexID / 3];
   uvec4 corners = triangleAt(triangle);
-  // Relative to the eye before the rotation: exact also where the scene is much larger than what is seen.
+  // Relative to the eye before the rotation: exact even if the scene is much larger than what is seen.
   vec3 relative = vertexPosition(corners[gl_VertexID % 3]) - frame.eye;
   float w = dot(relative, frame.forward);
   float near = frame.nearPlane, far = frame.farPlane;

@@ -16,7 +16,7 @@
 #define ALPHA_WRAP_MIRROR 1u
 #define ALPHA_WRAP_CLAMP 2u
 
-// Two neighbouring texels along one axis and the weight of the second.
+// Two neighboring texels along one axis and the weight of the second.
 struct AlphaAxis {
   int first;
   int second;
@@ -104,7 +104,7 @@ ALPHA_FUNCTION float alphaBlend(float low0, float high0, float low1, float high1
   return result;
 }
 
-// Product of the texture's, the vertex colour's and the factor's alpha against the cutoff.
+// Product of the texture's, the vertex color's and the factor's alpha against the cutoff.
 ALPHA_FUNCTION bool alphaBelow(float texel, float vertexAlpha, float factor, float cutoff) {
   ALPHA_PRECISE float colored = texel * vertexAlpha;
   ALPHA_PRECISE float alpha = colored * factor;

@@ -153,7 +153,7 @@ struct HitSurface {
 
 // FrameConstants::fill.
 #define FILL_SKY 0u
-#define FILL_NEIGHBOURS 1u
+#define FILL_NEIGHBORS 1u
 
 // Reflecting pixels are counted by their contribution, in classes of equal ratio from 2^-16 to 1.
 #define CONTRIBUTION_CLASSES 256

@@ -7,7 +7,7 @@
 #define VOXELS_PER_WORD 8
 #define VOXEL_BITS 4
 
-// Counters of a build, spread over COUNTER_SLOTS copies to spare the atomics; only slot 0 counts pages.
+// Counters of a build, spread over COUNTER_SLOTS copies so that atomics collide less; only slot 0 counts pages.
 #define COUNTER_SLOTS 64
 #define COUNTER_KINDS 8
 #define COUNTER_PAGES 0      // pages asked for

@@ -18,10 +18,9 @@
 // A tracer that finds nothing can be written with the public headers alone.
 class Blind final : public halfsilver::Tracer {
  public:
-  void build(const halfsilver::GpuScene&, const halfsilver::RayQueue&, halfsilver::gl::Profiler&) override {}
-  void trace(const halfsilver::GpuScene&, const halfsilver::RayQueue&, halfsilver::Hits&,
-             halfsilver::gl::Profiler&) override {}
+  void update(const halfsilver::FrameView&, const halfsilver::SceneChange&) override {}
+  void trace(const halfsilver::FrameView&, const halfsilver::RayQueue&, halfsilver::Hits&) override {}
   halfsilver::TracerMemory memory() const override { return {}; }
 };
 
-int main() { return Blind().lostFragments() == 0 ? 0 : 1; }
+int main() { return Blind().memory().structureTotal == 0 ? 0 : 1; }

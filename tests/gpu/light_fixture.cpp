@@ -68,23 +68,15 @@ Sky evenSky(const glm::vec3& radiance) {
 
 void LightTest::draw(const Scene& scene, const Camera& camera, int width, int height) {
   gpu = uploadScene(api, scene);
-  // Shadows come first, but their count of lights is part of the constants.
-  frame = gl::Buffer(api, sizeof(shared::FrameConstants), "frame");
-  const auto write = [&] {
-    const shared::FrameConstants constants[] = {
-        makeFrameConstants(camera, gpu.bounds, scene.sky, settings, width, height, shadows.lightCount)};
-    frame.write(std::span<const shared::FrameConstants>(constants));
-  };
-  write();
-  frame.bindUniform(UBO_FRAME);
-  gpu.bind();
+  // Shadows come first: their count of lights is part of the constants.
   warnings = shadowPass.run(gpu, scene.lights, scene.sky, settings, shadows, profiler);
-  write();
-  shadows.bind();
-  gbufferPass.run(gpu, gbuffer, width, height, settings.scene.cullBackFaces, profiler);
-  shadePass.run(gbuffer, profiler);
-  hitsPass.clear(gbuffer, profiler);
+  frame = makeFrameConstants(camera, gpu.bounds, scene.sky, settings, width, height, shadows.lightCount);
+  constants = gl::makeBuffer(api, std::span<const shared::FrameConstants>(&frame, 1), "frame");
+  gbufferPass.run(view(), gbuffer);
+  shadePass.run(view(), gbuffer);
 }
+
+FrameView LightTest::view() { return {gpu, shadows, constants, frame, profiler}; }
 
 glm::vec4 LightTest::shadeAt(const Scene& scene, const glm::vec3& eye, const glm::vec3& target) {
   Camera camera;
@@ -102,8 +94,7 @@ std::vector<glm::vec4> LightTest::composite(CompositePass::Output output) {
   const gl::Texture target(api, {.format = GL_RGBA32F, .width = gbuffer.width, .height = gbuffer.height}, "target");
   const gl::Framebuffer framebuffer(api);
   framebuffer.attach(GL_COLOR_ATTACHMENT0, target);
-  compositePass.run(gbuffer, output, framebuffer.name(), {0, 0}, profiler);
-  gpu.bind();
+  compositePass.run(view(), gbuffer, output, framebuffer.name(), {0, 0});
   return pixels(target);
 }
 

@@ -5,13 +5,13 @@
 #include <string>
 #include <vector>
 
+#include "effects/reflection/reflection_effect.h"
 #include "frame/frame_constants.h"
 #include "frame/gpu_scene.h"
 #include "gpu/context_fixture.h"
 #include "passes/composite.h"
 #include "passes/gbuffer.h"
 #include "passes/shade.h"
-#include "passes/shade_hits.h"
 #include "passes/shadows.h"
 
 namespace halfsilver::testing {
@@ -32,11 +32,13 @@ Sky evenSky(const glm::vec3& radiance);
 // Runs the passes around lighting on a scene. Pixels are row by row from the bottom.
 class LightTest : public ContextTest {
  protected:
-  // Shadows, G-buffer and deferred shading of one frame; everything stays bound for the passes after it.
+  // Shadows, G-buffer and deferred shading of one frame.
   void draw(const Scene& scene, const Camera& camera, int width, int height);
   // Radiance and sky visibility of the point `target` as seen from `eye`. The scene must not hide it.
   glm::vec4 shadeAt(const Scene& scene, const glm::vec3& eye, const glm::vec3& target);
   std::vector<glm::vec4> composite(CompositePass::Output output);
+  // What the passes after draw() read.
+  FrameView view();
   std::vector<glm::vec4> pixels(const gl::Texture& texture) const;
   glm::vec4 middle(const std::vector<glm::vec4>& image) const;
 
@@ -44,13 +46,14 @@ class LightTest : public ContextTest {
   GpuScene gpu;
   ShadowMaps shadows;
   GBuffer gbuffer;
-  gl::Buffer frame;
+  gl::Buffer constants;
+  shared::FrameConstants frame{};
   std::vector<std::string> warnings;  // of the shadow maps
   gl::Profiler profiler{api};
   ShadowPass shadowPass{api};
   GBufferPass gbufferPass{api};
   ShadePass shadePass{api};
-  ShadeHitsPass hitsPass{api};
+  ReflectionEffect reflectionEffect{api};
   CompositePass compositePass{api};
 };
 

@@ -44,12 +44,11 @@ class GBufferTest : public testing::ContextTest {
     picture.frame = makeFrameConstants(camera, gpu.bounds, scene.sky, settings, width, height, 0);
     const gl::Buffer constants =
         gl::makeBuffer(api, std::span<const shared::FrameConstants>(&picture.frame, 1), "frame");
-    constants.bindUniform(UBO_FRAME);
-    gpu.bind();
     GBufferPass pass(api);
     gl::Profiler profiler(api);
+    const ShadowMaps unshadowed;
     GBuffer buffer;
-    pass.run(gpu, buffer, width, height, settings.scene.cullBackFaces, profiler);
+    pass.run({gpu, unshadowed, constants, picture.frame, profiler}, buffer);
     EXPECT_EQ(buffer.bytes(), static_cast<std::size_t>(width * height) * (4 + 4 + 4 * 16 + 3 * 8));
     picture.visibility = readNumbers(buffer.visibility);
     picture.position = readFloats(buffer.position, GL_RGBA, 4);

@@ -126,7 +126,7 @@ TEST_F(GpuSceneTest, EmptySceneUploads) {
   const GpuScene gpu = uploadScene(api, Scene{});
   EXPECT_EQ(gpu.triangleCount, 0u);
   EXPECT_TRUE(gpu.drawRanges.empty());
-  gpu.bind();
+  gpu.bindSurfaces();
 }
 
 TEST_F(GpuSceneTest, UpdateMovesOnlyTheRange) {
@@ -137,12 +137,12 @@ TEST_F(GpuSceneTest, UpdateMovesOnlyTheRange) {
   GpuScene gpu = uploadScene(api, scene);
   for (Vertex& vertex : scene.vertices) vertex.position += glm::vec3(0, 0, 5);
   const VertexRange range{4, 4};
-  updateVertices(gpu, scene, std::span(&range, 1));
+  updateScene(api, gpu, scene, {.moved = {range}});
   const std::vector<float> positions = gpu.positions.read<float>(24);
   for (std::size_t v = 0; v < 8; ++v) EXPECT_EQ(positions[3 * v + 2], v < 4 ? 0.0f : 6.0f);
   EXPECT_EQ(gpu.bounds.high.z, 6.0f);
   const VertexRange beyond{6, 4};
-  EXPECT_THROW(updateVertices(gpu, scene, std::span(&beyond, 1)), Error);
+  EXPECT_THROW(updateScene(api, gpu, scene, {.moved = {beyond}}), Error);
 }
 
 TEST_F(GpuSceneTest, IndicesThatPointNowhereAreRefused) {
@@ -175,7 +175,7 @@ TEST_F(GpuSceneTest, ManySizesAreResampledWithAWarning) {
   const GpuScene gpu = uploadScene(api, scene);
   EXPECT_EQ(gpu.textures.size(), 8u);
   EXPECT_EQ(gpu.warnings.size(), 4u);
-  gpu.bind();
+  gpu.bindSurfaces();
   const ShaderFunction sample(api, "lib/textures.glsl",
                               "outputs[item] = sampleTexture(materials[item].textures[TEXTURE_NORMAL], "
                               "inputs[item].xy, vec2(0.001, 0.0), vec2(0.0, 0.001));",
@@ -230,7 +230,7 @@ TEST_F(GpuSceneTest, MagnifiedTexturesMatchTheCpuInAllModes) {
         use.magnify = filter;
         use.transform = {glm::vec3(0.9f, 0.2f, 0.1f), glm::vec3(-0.3f, 1.1f, 0.25f)};
         const GpuScene gpu = uploadScene(api, quadWith(use, texture));
-        gpu.bind();
+        gpu.bindSurfaces();
         const std::vector<glm::vec4> outputs = sample.run(inputs);
         int wrong = 0;
         for (std::size_t i = 0; i < inputs.size(); ++i) {
@@ -253,7 +253,7 @@ TEST_F(GpuSceneTest, SrgbIsDecodedAndMipmapsAreLinear) {
   scene.materials.push_back(scene.materials[0]);
   scene.materials[1].baseColorTexture.mipmaps = false;
   const GpuScene gpu = uploadScene(api, scene);
-  gpu.bind();
+  gpu.bindSurfaces();
   const ShaderFunction sample(api, "lib/textures.glsl",
                               "outputs[item] = sampleTexture(materials[uint(inputs[item].w)].textures[0], "
                               "inputs[item].xy, vec2(inputs[item].z, 0.0), vec2(0.0, inputs[item].z));",
@@ -292,7 +292,7 @@ TEST_F(GpuSceneTest, HolesAreTheSameOnGpuAndCpu) {
           vertex.uv[1] = glm::vec2(unit(random), unit(random));
         }
         const GpuScene gpu = uploadScene(api, scene);
-        gpu.bind();
+        gpu.bindSurfaces();
         std::vector<glm::vec4> inputs(6000);
         for (glm::vec4& input : inputs) {
           const std::uint32_t triangle = random() & 1;
@@ -334,22 +334,21 @@ TEST(FrameConstants, PixelRaysAgreeWithTheProjection) {
     camera.farPlane = farPlane;
     const Bounds bounds{{-10, -10, -10}, {10, 10, 10}};
     const shared::FrameConstants frame = makeFrameConstants(camera, bounds, {}, {}, 200, 100, 0);
-    const glm::vec3 point =
-        camera.eye + 5.0f * (glm::vec3(frame.forward) + 0.3f * glm::vec3(frame.right) - 0.6f * glm::vec3(frame.up));
+    const glm::vec3 point = camera.eye + 5.0f * (frame.forward + 0.3f * frame.right - 0.6f * frame.up);
     const glm::vec4 clip = frame.viewProjection * glm::vec4(point, 1);
     EXPECT_NEAR(clip.x / clip.w, 0.3f, 1e-5f);
     EXPECT_NEAR(clip.y / clip.w, -0.6f, 1e-5f);
     EXPECT_NEAR(clip.w, 5.0f, 1e-5f);
-    const float nearPlane = frame.forward.w;
+    const float nearPlane = frame.nearPlane;
     EXPECT_GT(nearPlane, 0);
-    const glm::vec4 nearest = frame.viewProjection * glm::vec4(camera.eye + nearPlane * glm::vec3(frame.forward), 1);
+    const glm::vec4 nearest = frame.viewProjection * glm::vec4(camera.eye + nearPlane * frame.forward, 1);
     EXPECT_NEAR(nearest.z / nearest.w, 1.0f, 1e-3f);
     if (farPlane > 0) {
-      const glm::vec4 farthest = frame.viewProjection * glm::vec4(camera.eye + farPlane * glm::vec3(frame.forward), 1);
+      const glm::vec4 farthest = frame.viewProjection * glm::vec4(camera.eye + farPlane * frame.forward, 1);
       EXPECT_NEAR(farthest.z / nearPlane, 0.0f, 1e-3f);
     }
-    EXPECT_NEAR(glm::length(glm::vec3(frame.right)) / glm::length(glm::vec3(frame.up)), 2.0f, 1e-6f);
-    EXPECT_NEAR(frame.boundsHigh.w, 1e-5f * bounds.diagonal(), 1e-9f);
+    EXPECT_NEAR(glm::length(frame.right) / glm::length(frame.up), 2.0f, 1e-6f);
+    EXPECT_NEAR(frame.minDistance, 1e-5f * bounds.diagonal(), 1e-9f);
   }
 }
 
@@ -357,8 +356,8 @@ TEST(FrameConstants, LookingStraightDownWorksAndNonsenseIsRefused) {
   Camera camera;
   camera.eye = {0, 5, 0};
   const shared::FrameConstants frame = makeFrameConstants(camera, {}, {}, {}, 10, 10, 0);
-  EXPECT_NEAR(glm::dot(glm::vec3(frame.right), glm::vec3(0, 1, 0)), 0, 1e-6f);
-  EXPECT_GT(glm::length(glm::vec3(frame.up)), 0.1f);
+  EXPECT_NEAR(glm::dot(frame.right, glm::vec3(0, 1, 0)), 0, 1e-6f);
+  EXPECT_GT(glm::length(frame.up), 0.1f);
   EXPECT_THROW(makeFrameConstants(camera, {}, {}, {}, 0, 10, 0), Error);
   camera.target = camera.eye;
   EXPECT_THROW(makeFrameConstants(camera, {}, {}, {}, 10, 10, 0), Error);

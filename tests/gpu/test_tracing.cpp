@@ -4,6 +4,7 @@
 #include <string>
 
 #include <halfsilver/io.h>
+#include <halfsilver/tracer.h>
 #include "gpu/shader_function.h"
 #include "gpu/tracing_scenes.h"
 
@@ -128,6 +129,33 @@ TEST_F(TracingTest, NoRaySlipsThroughSharedEdges) {
     ASSERT_GT(t, 0.9f);
   }
   EXPECT_EQ(traced, 64 * 64);
+}
+
+// A setting that the method's tracer is not made from keeps it and what it has built.
+TEST_F(TracingTest, SettingsThatNoStructureDependsOnKeepTheTracer) {
+  const Scene scene = soup(100);
+  for (const char* method : {"identity", "attributes"}) {
+    int made = 0;
+    Renderer renderer([this](const char* name) { return context.getProcAddress()(name); },
+                      std::vector<Method>{{methodInfo(method), [&made](const gl::Api& table, const Settings& settings) {
+                                             ++made;
+                                             return makeTracer(table, settings, {});
+                                           }}});
+    renderer.setScene(scene);
+    Settings settings = settingsWith({{"trace.method", method}, {"abuffer.resolution", "64"}});
+    drawWith(renderer, kAbove, settings, 32, 24);
+    for (const auto& [name, value] :
+         {std::pair("trace.bounces", "2"), std::pair("scene.cull_back_faces", "false"), std::pair("select.mode", "all"),
+          std::pair("select.fraction", "0.5"), std::pair("image.exposure", "1"), std::pair("shadow.resolution", "32"),
+          method == std::string("identity") ? std::pair("search.steps", "7") : std::pair("voxels.per_triangle", "2")}) {
+      set(settings, name, value);
+      drawWith(renderer, kAbove, settings, 32, 24);
+      EXPECT_EQ(made, 1) << method << " " << name;
+    }
+    set(settings, "voxels.resolution", "8");
+    drawWith(renderer, kAbove, settings, 32, 24);
+    EXPECT_EQ(made, 2) << method;
+  }
 }
 
 // Every fragment stored once, in the axis of its triangle: a floor has exactly one fragment a texel that it covers.

@@ -37,7 +37,7 @@ TEST(SceneCore, AGroundToTheHorizonIsOuter) {
 
 TEST(SceneCore, MoreLargeTrianglesThanMayBeOuterStay) {
   Scene scene = row(100);
-  for (std::size_t i = 0; i <= kMostOuterTriangles; ++i) addTriangle(scene, {-500, 0, -500}, 1000);
+  for (std::size_t i = 0; i <= kMaxOuterTriangles; ++i) addTriangle(scene, {-500, 0, -500}, 1000);
   const SceneCore core = findCore(scene);
   EXPECT_TRUE(core.outer.empty());
   EXPECT_FLOAT_EQ(core.bounds.low.x, -500);

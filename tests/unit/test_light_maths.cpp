@@ -116,7 +116,7 @@ TEST(LightList, DirectionalViewsHoldTheBounds) {
       const ShadowView& view = list.views[i];
       const glm::vec2 low = glm::vec2(view.rectangle.x, view.rectangle.y) / 1024.0f;
       const glm::vec2 high = low + glm::vec2(view.rectangle.z, view.rectangle.w) / 1024.0f;
-      EXPECT_EQ(list.lights[i].cone.z, static_cast<float>(view.layer));
+      EXPECT_EQ(list.lights[i].shadowLayer, view.layer);
       Bounds places;
       for (unsigned corner = 0; corner < 8; ++corner) {
         const vec3 p(corner & 1 ? bounds.high.x : bounds.low.x, corner & 2 ? bounds.high.y : bounds.low.y,
@@ -158,7 +158,7 @@ TEST(LightList, NarrowRoom) {
   const std::vector<Light> lights(5, light(LightType::directional));
   const auto shadowed = [](const LightList& list) {
     int count = 0;
-    for (const shared::GpuLight& l : list.lights) count += l.cone.z >= 0 ? 1 : 0;
+    for (const shared::GpuLight& l : list.lights) count += l.shadowLayer != NO_SHADOW ? 1 : 0;
     return count;
   };
   LightListLimits limits;
@@ -177,7 +177,7 @@ TEST(LightList, NarrowRoom) {
   // The sky's light is not lost with its directions.
   float up = 0;
   for (const shared::GpuLight& l : list.lights)
-    if (l.directionType.w == LIGHT_SKY && l.directionType.y < 0) up += l.color.x;
+    if (l.type == LIGHT_SKY && l.direction.y < 0) up += l.color.x;
   EXPECT_GT(up, kPi * 0.99f);
 }
 

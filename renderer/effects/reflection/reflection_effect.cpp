@@ -13,14 +13,17 @@ namespace {
 constexpr int kTile = 8;
 constexpr GLuint kSlotsPerPixel = 1;
 
-void reserve(const gl::Api& api, std::uint32_t rays, RayQueue& queue, EffectFrame& frame) {
-  if (queue.capacity < rays) {
-    queue = RayQueue{};  // the old memory goes before the new comes
-    queue.rays = gl::Buffer(api, rays * sizeof(shared::Ray), "rays");
-    queue.paths = gl::Buffer(api, rays * sizeof(shared::RayPath), "ray paths");
-    queue.count = gl::Buffer(api, sizeof(shared::RayCount), "ray count");
-    queue.capacity = rays;
-  }
+void reserveQueue(const gl::Api& api, std::uint32_t rays, RayQueue& queue) {
+  if (queue.capacity >= rays) return;
+  queue = RayQueue{};  // the old memory goes before the new comes
+  queue.rays = gl::Buffer(api, rays * sizeof(shared::Ray), "rays");
+  queue.paths = gl::Buffer(api, rays * sizeof(shared::RayPath), "ray paths");
+  queue.count = gl::Buffer(api, sizeof(shared::RayCount), "ray count");
+  queue.count.fill(0);
+  queue.capacity = rays;
+}
+
+void reserveFrame(const gl::Api& api, std::uint32_t rays, EffectFrame& frame) {
   if (frame.radiance.slots.bytes() < rays * sizeof(shared::Radiance)) {
     frame.radiance = RadianceSlots{};
     frame.radiance.slots = gl::Buffer(api, rays * sizeof(shared::Radiance), "radiance slots");
@@ -50,7 +53,8 @@ const gl::Program& ReflectionEffect::shading(bool surfaces, bool next) {
 
 void ReflectionEffect::spawn(const FrameView& view, const GBuffer& gbuffer, int, RayQueue& out, EffectFrame& frame) {
   const auto pixels = static_cast<std::uint32_t>(gbuffer.width) * static_cast<std::uint32_t>(gbuffer.height);
-  reserve(*api_, pixels, out, frame);
+  reserveQueue(*api_, pixels, out);
+  reserveFrame(*api_, pixels, frame);
   const auto section = view.profiler.section("select");
   // The last frame's shaders wrote the counters; the fill overwrites them.
   api_->MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
@@ -90,7 +94,10 @@ void ReflectionEffect::countRays(const RayQueue& queue) const {
 void ReflectionEffect::shade(const FrameView& view, const RayQueue& rays, const Hits& hits, RayQueue* next,
                              EffectFrame& frame) {
   const auto section = view.profiler.section("shade");
-  if (next) next->count.fill(0, 0, offsetof(shared::RayCount, overflow));  // which counts for the whole frame
+  if (next) {
+    reserveQueue(*api_, rays.capacity, *next);                     // a hit sends on at most one ray
+    next->count.fill(0, 0, offsetof(shared::RayCount, overflow));  // which counts for the whole frame
+  }
 
   shading(static_cast<bool>(hits.surfaces), next != nullptr).use();
   view.constants.bindUniform(UBO_FRAME);

@@ -10,8 +10,8 @@ namespace halfsilver {
 // Traced are all pixels with a surface, or those that reflect more than a threshold, or none (SelectSettings), thinned
 // to a fraction that is scattered evenly or lies around the center, and to those whose reflection contributes enough to
 // the shaded picture. Hits are shaded with the lights and textures of the deferred pass and blended along the path as
-// the composite pass blends pixels: at each hit (1 - W) of its shading, and W of what its reflected ray finds or, where
-// the path ends, of the visible sky.
+// the composite pass blends pixels: at each hit (1 - W) of its shading, and W of what its reflected ray finds or, at
+// the end of the path, of the visible sky.
 class ReflectionEffect final : public RayEffect {
  public:
   explicit ReflectionEffect(const gl::Api& api);

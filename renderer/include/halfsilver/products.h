@@ -27,11 +27,12 @@ struct GpuScene {
   gl::Buffer positions, attributes, triangles, materials, drawList;
   std::vector<DrawRange> drawRanges;
   std::vector<gl::Texture> textures;            // buckets of equal size, at most TEXTURE_BUCKETS
-  gl::Texture sky;                              // 1 x 1 where the sky is a gradient
+  gl::Texture sky;                              // 1 x 1 if the sky is a gradient
   std::vector<std::uint32_t> textureLocations;  // one per texture of the scene, see GpuTexture::location
   std::uint32_t vertexCount = 0, triangleCount = 0, materialCount = 0;
   Bounds bounds;
   SceneCore core;
+  SceneExtents extents;  // keeps both up to date
   std::vector<std::string> warnings;
 
   std::size_t bytes() const;
@@ -55,13 +56,13 @@ struct GBuffer {
   int width = 0, height = 0;
   gl::Texture depth;       // D32F, of the rasterization; reversed: 1 at the near plane, 0 far away
   gl::Texture visibility;  // R32UI: triangle + 1, or 0
-  gl::Texture position;    // RGBA32F: xyz, w metres along the view axis; w = 0 where there is no surface
+  gl::Texture position;    // RGBA32F: xyz, w metres along the view axis; w = 0 if there is no surface
   gl::Texture normal;      // RGBA32F: shading normal, w reflectivity (faded by roughness)
   gl::Texture baseColor;   // RGBA16F: rgb, a occlusion
   gl::Texture material;    // RGBA16F: f0 rgb, roughness; -1 for unlit
   gl::Texture emissive;    // RGBA16F: rgb, a metallic
   gl::Texture shaded;      // RGBA32F: deferred radiance, a sky visibility
-  gl::Texture reflection;  // RGBA32F: radiance of the traced rays, a 1 where traced
+  gl::Texture reflection;  // RGBA32F: radiance of the traced rays, a 1 if traced
   std::size_t bytes() const;
 };
 

@@ -27,10 +27,10 @@ struct Target {
 
 struct StageTime {
   std::string stage;  // "shadow", "gbuffer", "select", "voxelize", "build", "trace", "shade", "composite", "frame"
-  double milliseconds = 0;  // GPU time; negative where the driver's answer was rejected
+  double milliseconds = 0;  // GPU time; negative if the driver's answer was rejected
 };
 
-struct MemoryReport {  // bytes, counts where named so
+struct MemoryReport {  // bytes unless marked as counts
   std::uint64_t voxels = 0, heads = 0, poolReserved = 0, poolUsed = 0;
   std::uint64_t fragments = 0, fragmentsStored = 0;  // counts
   std::uint64_t fragmentsPerAxis[3] = {0, 0, 0};     // counts, stored
@@ -104,6 +104,11 @@ class Renderer {
   // The same of the newest finished frame whose figures have arrived, if there is one; never waits. Reports come in the
   // order of the frames; each is given once.
   std::optional<FrameReport> arrivedReport();
+
+  // Compiles the shaders again, from the folder that the environment names in HALFSILVER_SHADERS if it names one. A
+  // program whose new source has errors stays as it was; returns the errors, one line each. Structures stay too: a
+  // change of how they are built needs forgetStructures(). Throws Error (usage) while a frame is under way.
+  std::vector<std::string> reloadShaders();
 
   // The frame that finish() ended last as the layers of the contract (R G B A, depth.Z, normal.X/Y/Z, reflectivity.Y,
   // selected.Y, hit.T, hit.id, hit.nx/ny/nz, reflection.R/G/B), rows from the top. Waits for the GPU.

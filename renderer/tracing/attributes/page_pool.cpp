@@ -12,7 +12,7 @@ namespace {
 
 // Room beyond what the build before asked for: a moving scene asks for a little more in every frame.
 constexpr double kHeadroom = 1.02;
-// A pool is made smaller only where that is worth a new allocation.
+// A pool is made smaller only if that is worth a new allocation.
 constexpr double kWasteful = 1.25;
 
 }  // namespace

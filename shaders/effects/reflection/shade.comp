@@ -22,7 +22,7 @@ layout(std430, binding = SSBO_NEXT_COUNT) buffer NextCountBlock { RayCount nextC
 #endif
 
 #ifdef HIT_SURFACES
-// Colour, normal and reflectivity as the method stored them; the rest from the material's factors.
+// Color, normal and reflectivity as the method stored them; the rest from the material's factors.
 Surface storedSurface(uint index, Ray ray, Hit hit) {
   vec3 direction = ray.direction;
   vec3 stored = hitSurfaces[index].normal;

@@ -32,14 +32,14 @@ float scatteredThreshold(uvec2 pixel) {
   return (float(rank) + 0.5) / 65536.0;
 }
 
-// The share of the screen that the rectangle of the screen's shape around its centre takes when it reaches the pixel.
+// The share of the screen that the rectangle of the screen's shape around its center takes when it reaches the pixel.
 float regionThreshold(ivec2 pixel) {
-  vec2 fromCentre = abs(screenPosition(pixel));
-  float side = max(fromCentre.x, fromCentre.y);
+  vec2 fromCenter = abs(screenPosition(pixel));
+  float side = max(fromCenter.x, fromCenter.y);
   return side * side;
 }
 
-// What the reflection of something as bright as white adds to the displayed colour: 0..1, the most of its components.
+// What the reflection of something as bright as white adds to the displayed color: 0..1, the largest of its components.
 float contribution(ivec2 pixel) {
   Blend blend = blendOf(pixel);
   vec3 added = displayed(blend.base + blend.share / frame.exposure) - displayed(blend.base);
@@ -47,7 +47,7 @@ float contribution(ivec2 pixel) {
 }
 
 // Pixels whose contributions are within a quarter of an octave are thinned out evenly: a mirror that contributes the
-// same everywhere must not go at once.
+// same everywhere must not vanish at once.
 const float EQUAL_OCTAVES = 0.25;
 
 uint contributionClass(float contribution) {

@@ -1,5 +1,5 @@
-// Bindings of the coarse grid's pass: tracing/common/voxelize.* and voxel_axis.comp. The methods read the grid at the same
-// number.
+// Bindings of the coarse grid's pass: tracing/common/voxelize.* and voxel_axis.comp. The methods read the grid at the
+// same number.
 #ifndef HALFSILVER_PASSES_VOXELIZE_H
 #define HALFSILVER_PASSES_VOXELIZE_H
 

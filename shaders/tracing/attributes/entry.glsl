@@ -1,4 +1,4 @@
-// A fragment with its surface attributes in two RGBA32F texels (Kastrati & Goswami 2017, figure 2): base colour and
+// A fragment with its surface attributes in two RGBA32F texels (Kastrati & Goswami 2017, figure 2): base color and
 // depth; reflectivity, whose sign bit is the sign of normal.x, normal.y, normal.z and the triangle's number. The number
 // is kept as a float's value, which is exact up to 2^24.
 // Programs that write define ENTRY_ACCESS before anything else.

@@ -9,7 +9,7 @@ const uint noEntry = 0xffffffffu;
 // More failed swaps than there can be rivals for one texel at a time.
 const int maxAttempts = 4096;
 
-// A free page + 1, or 0 where the pool is exhausted.
+// A free page + 1, or 0 if the pool is exhausted.
 uint takePage() {
   uint spare = atomicExchange(counters[COUNTER_SPARE], 0u);
   if (spare != 0u) return spare;
@@ -19,7 +19,7 @@ uint takePage() {
 
 uint firstPage(uint head) { return (head & ~HEAD_INCOMPLETE) >> PAGE_FILL_BITS; }
 
-// Index of a new entry of the texel's list, or noEntry where the pool is full: the texel is then marked and counted.
+// Index of a new entry of the texel's list, or noEntry if the pool is full: the texel is then marked and counted.
 uint reserveEntry(uint headSlot) {
   uint head = heads[headSlot];
   uint page = 0u;

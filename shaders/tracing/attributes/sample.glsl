@@ -31,14 +31,14 @@ bool near(float t, float voxels) {
   return t * max(voxelsPerMetre.x, max(voxelsPerMetre.y, voxelsPerMetre.z)) <= voxels;
 }
 
-// The triangle's number alone does not keep a ray off the surface that it leaves: on a curved one some neighbours'
+// The triangle's number alone does not keep a ray off the surface that it leaves: on a curved one some neighbors'
 // depths lie in front of the ray. Near its origin it therefore does not see surfaces that face along it, as those of
 // the surface that it leaves do.
 bool counts(TraceRay ray, vec3 normal, uint triangle, float t) {
   return triangle != ray.excluded && (!near(t, 4.0) || dot(normal, ray.direction) <= 0.0);
 }
 
-// Distance (metres) of a point of the ray from the plane of a fragment, which lies in its texel's centre.
+// Distance (metres) of a point of the ray from the plane of a fragment, which lies in its texel's center.
 float planeSide(TraceRay ray, int axis, float t, ivec2 texel, float depth, vec3 normal) {
   vec3 at = vec3((vec2(texel) + 0.5) / float(bufferResolution), depth);
   return dot(normal / gridInverse, ray.gridOrigin + ray.gridDirection * t - unpermute(at, axis));
@@ -87,9 +87,9 @@ vec3 normalOf(uint fragment) {
 // Into a solid the ray goes through a surface that faces it; the backs of single-sided surfaces are invisible.
 bool facing(TraceRay ray, Sample s) { return dot(normalOf(s.nearest), ray.direction) < 0.0; }
 
-// Whether the ray meets a surface between two neighbouring points. Into a solid it goes where the second point is
+// Whether the ray meets a surface between two neighboring points. It goes into a solid if the second point is
 // inside, whether or not the wall that it passes left a fragment in this A-buffer: steep walls leave none. A sheet of
-// two sides has no inside: where the first point does not know it, or may know the surface that the ray leaves, that
+// two sides has no inside: if the first point does not know it, or may know the surface that the ray leaves, that
 // must lie before the plane of what the second sees, or within half a texel of it: planes are known no better. A sheet
 // is met from behind too.
 bool crossed(TraceRay ray, int axis, Sample a, Sample b) {

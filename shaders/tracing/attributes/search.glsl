@@ -15,7 +15,7 @@ layout(std430, binding = SSBO_HIT_SURFACES) writeonly buffer HitSurfaceBlock { H
 uniform int refinements;
 uint foundFragment = noFragment;
 
-// Narrows a crossing down; keeps it where it beats `best`.
+// Narrows a crossing down; keeps it if it is nearer than `best`.
 void refine(TraceRay ray, Slab slab, Sample a, Sample b, inout Hit best, inout int work) {
   for (int i = 0; i < refinements; ++i) {
     float t = 0.5 * (a.t + b.t);
@@ -66,14 +66,14 @@ void searchBuffer(TraceRay ray, int axis, float begin, float end, inout Hit best
   float enter = begin;
   bool going = true;
   while (going) {
-    float leave = min(walkExit(walk), end);
+    float exit = min(walkExit(walk), end);
     // The middle of the texel's stretch; in the last texel its end, so that the whole stretch is looked at.
-    float t = leave < end ? 0.5 * (enter + leave) : end;
+    float t = exit < end ? 0.5 * (enter + exit) : end;
     Sample next = sampleAt(ray, slab, max(t, last.t), walk.texel, work);
     when (crossed(ray, slab.axis, last, next)) refine(ray, slab, last, next, best, work);
     last = next;
-    enter = leave;
-    going = !cut && best.t >= known && leave < end && stepTexelWalk(walk);
+    enter = exit;
+    going = !cut && best.t >= known && exit < end && stepTexelWalk(walk);
   }
   if (going) cut = true;
 #endif
@@ -89,12 +89,12 @@ bool march(TraceRay ray, float end, inout PausedRay pause, inout Hit best) {
   bool going = t < end;
   VoxelWalk walk = startVoxelWalk(ray, t);
   while (going) {
-    float leave = max(t, min(voxelExit(walk), end));
+    float exit = max(t, min(voxelExit(walk), end));
     for (uint mask = voxelMask(walk.voxel); mask != 0u; mask &= mask - 1u)
-      searchBuffer(ray, findLSB(mask), t, leave, best, work);
-    going = best.t == farAway && !cut && leave < end && stepVoxelWalk(ray, walk);
+      searchBuffer(ray, findLSB(mask), t, exit, best, work);
+    going = best.t == farAway && !cut && exit < end && stepVoxelWalk(ray, walk);
     if (going) {
-      t = leave;
+      t = exit;
       yielded = ++work >= workLimit;
       going = !yielded;
     }

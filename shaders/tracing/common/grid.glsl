@@ -3,7 +3,7 @@
 uniform vec3 gridLow;         // world
 uniform vec3 gridInverse;     // 1 / extent
 uniform ivec3 voxelCount;     // along each axis
-uniform int bufferResolution;  // texels along each axis, where the A-buffers have a raster of their own
+uniform int bufferResolution;  // texels along each axis, if the A-buffers have a raster of their own
 
 vec3 toGrid(vec3 position) { return (position - gridLow) * gridInverse; }
 

@@ -36,7 +36,7 @@ bool intersectTriangle(RayShear shear, vec3 origin, vec3 a, vec3 b, vec3 c, out 
   precise float v = qa.x * qc.y - qa.y * qc.x;
   precise float w = qb.x * qa.y - qb.y * qa.x;
   when (u == 0.0 || v == 0.0 || w == 0.0) {
-    // On an edge within float: decide in double, as both neighbours will.
+    // On an edge within float: decide in double, as both neighbors will.
     u = float(double(qc.x) * double(qb.y) - double(qc.y) * double(qb.x));
     v = float(double(qa.x) * double(qc.y) - double(qa.y) * double(qc.x));
     w = float(double(qb.x) * double(qa.y) - double(qb.y) * double(qa.x));

@@ -1,5 +1,5 @@
-// The exact test of one triangle: nearest hits win, equal distances go to the lower number, so that the order of tests has
-// no say. Backs of single-sided materials and holes are passed through.
+// The exact test of one triangle: nearest hits win, equal distances go to the lower number, so that the order of tests
+// has no say. Backs of single-sided materials and holes are passed through.
 #include "lib/alpha.glsl"
 #include "lib/scene.glsl"
 #include "lib/when.glsl"

@@ -1,9 +1,9 @@
 // Fragment side of conservative rasterization: does the triangle touch the texel, and over which depths.
 #include "tracing/common/grid.glsl"
 
-// The square is grown a little, so that a ray that rounds into the neighbouring texel still finds the triangle.
+// The square is grown a little, so that a ray that rounds into the neighboring texel still finds the triangle.
 const float overlapSlack = 0.01;  // texels
-// Rounding of a texel coordinate, generously.
+// More than a texel coordinate can be off by rounding.
 const float coordinateError = 1e-4;  // texels
 
 // What becomes of a voxel that the triangle touches: the program that includes this file defines it.
@@ -15,8 +15,8 @@ bool separated(vec2 normal, vec2 onEdge, vec2 opposite, float reach) {
   return min(p, q) > r || max(p, q) < -r;
 }
 
-// `a`, `b`, `c`: grid space with depth last; `texel` of a raster of `resolution` texels. On true `depths` is the range of
-// depth (grid units) that the triangle's plane spans over the texel, clipped to the triangle's own range.
+// `a`, `b`, `c`: grid space with depth last; `texel` of a raster of `resolution` texels. On true `depths` is the range
+// of depth (grid units) that the triangle's plane spans over the texel, clipped to the triangle's own range.
 bool touchesTexel(vec3 a, vec3 b, vec3 c, ivec2 texel, vec2 resolution, out vec2 depths) {
   vec2 center = vec2(texel) + 0.5;
   vec2 pa = a.xy * resolution - center, pb = b.xy * resolution - center, pc = c.xy * resolution - center;

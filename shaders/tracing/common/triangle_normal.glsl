@@ -1,5 +1,5 @@
-// Triangle normals for choosing an axis. In units of voxels, because the A-buffers' texels are square there: the axis in
-// which the projection is largest in texels is the one that samples the triangle best.
+// Triangle normals for choosing an axis. In units of voxels, because the A-buffers' texels are square there: the axis
+// in which the projection is largest in texels is the one that samples the triangle best.
 #include "tracing/common/grid.glsl"
 
 // Not normalised: twice the area in voxels. Zero for a degenerate triangle.

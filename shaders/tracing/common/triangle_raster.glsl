@@ -1,9 +1,10 @@
 // Vertex side of rasterizing the scene along an axis (vertex pulling, no vertex attributes).
 //
 // Instance i is the projection along axis i, or that along the triangle's own dominant axis. Plain rasterization draws
-// the projected corners. Conservative rasterization draws six vertices per triangle, a rectangle along its longest edge in the projection, grown by half a texel's
-// diagonal. It covers every texel that the triangle touches, whatever the triangle's shape (no acute corners to
-// blow up, unlike shifted edges, Hasselgren et al. 2005); the fragment shader rejects what it covers in excess.
+// the projected corners. Conservative rasterization draws six vertices per triangle, a rectangle along its longest edge
+// in the projection, grown by half a texel's diagonal. It covers every texel that the triangle touches, whatever the
+// triangle's shape (no acute corners to blow up, unlike shifted edges, Hasselgren et al. 2005); the fragment shader
+// rejects what it covers in excess.
 #include "lib/scene.glsl"
 #include "tracing/common/grid.glsl"
 #include "tracing/common/triangle_normal.glsl"

@@ -33,7 +33,7 @@ void visitVoxel(ivec3 voxel) {
   atomicAdd(normalX[index], votes.x);
   atomicAdd(normalY[index], votes.y);
   atomicAdd(normalZ[index], votes.z);
-  // A voxel is occupied even where its normals cancel; voxel_axis.comp replaces the mark by the dominant axis.
+  // A voxel is occupied even if its normals cancel; voxel_axis.comp replaces the mark by the dominant axis.
   markVoxel(voxel, 7u);
 #else
   markVoxel(voxel, 1u << uint(inAxis));

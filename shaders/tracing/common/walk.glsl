@@ -27,34 +27,35 @@ ivec3 voxelAt(TraceRay ray, float t) {
 
 struct VoxelWalk {
   ivec3 voxel;
-  vec3 leave;  // parameter of the boundary ahead, per axis
+  vec3 boundary;  // parameter of the boundary ahead, per axis
 };
 
 VoxelWalk startVoxelWalk(TraceRay ray, float t) {
   VoxelWalk walk;
   walk.voxel = voxelAt(ray, t);
   for (int i = 0; i < 3; ++i)
-    walk.leave[i] = boundaryAhead(ray.gridOrigin[i], ray.gridDirection[i], walk.voxel[i], float(voxelCount[i]));
+    walk.boundary[i] = boundaryAhead(ray.gridOrigin[i], ray.gridDirection[i], walk.voxel[i], float(voxelCount[i]));
   return walk;
 }
 
-float voxelExit(VoxelWalk walk) { return min(walk.leave.x, min(walk.leave.y, walk.leave.z)); }
+float voxelExit(VoxelWalk walk) { return min(walk.boundary.x, min(walk.boundary.y, walk.boundary.z)); }
 
 // False when the ray leaves the grid.
 bool stepVoxelWalk(TraceRay ray, inout VoxelWalk walk) {
-  int axis = walk.leave.x <= walk.leave.y && walk.leave.x <= walk.leave.z ? 0 : (walk.leave.y <= walk.leave.z ? 1 : 2);
+  vec3 ahead = walk.boundary;
+  int axis = ahead.x <= ahead.y && ahead.x <= ahead.z ? 0 : (ahead.y <= ahead.z ? 1 : 2);
   walk.voxel[axis] += ray.gridDirection[axis] > 0.0 ? 1 : -1;
-  walk.leave[axis] =
+  walk.boundary[axis] =
       boundaryAhead(ray.gridOrigin[axis], ray.gridDirection[axis], walk.voxel[axis], float(voxelCount[axis]));
   return walk.voxel[axis] >= 0 && walk.voxel[axis] < voxelCount[axis];
 }
 
 // A cube of voxels that the ray goes through in one step; `size` divides the grid. Its boundaries are the outermost
-// voxels' to the bit where `size` is a power of two.
+// voxels' to the bit if `size` is a power of two.
 struct Cell {
   ivec3 low;
   int size;
-  vec3 leave;  // parameter of the boundary ahead, per axis
+  vec3 boundary;  // parameter of the boundary ahead, per axis
 };
 
 Cell cellAround(TraceRay ray, ivec3 voxel, int size) {
@@ -63,25 +64,25 @@ Cell cellAround(TraceRay ray, ivec3 voxel, int size) {
   cell.low = number * size;
   cell.size = size;
   for (int i = 0; i < 3; ++i)
-    cell.leave[i] =
+    cell.boundary[i] =
         boundaryAhead(ray.gridOrigin[i], ray.gridDirection[i], number[i], float(voxelCount[i]) / float(size));
   return cell;
 }
 
-float cellExit(Cell cell) { return min(cell.leave.x, min(cell.leave.y, cell.leave.z)); }
+float cellExit(Cell cell) { return min(cell.boundary.x, min(cell.boundary.y, cell.boundary.z)); }
 
 // On to the voxel behind the cell; false when the ray leaves the grid.
 bool leaveCell(TraceRay ray, Cell cell, inout ivec3 voxel) {
-  vec3 leave = cell.leave;
-  int axis = leave.x <= leave.y && leave.x <= leave.z ? 0 : (leave.y <= leave.z ? 1 : 2);
-  voxel = clamp(voxelAt(ray, leave[axis]), cell.low, cell.low + cell.size - 1);
+  vec3 ahead = cell.boundary;
+  int axis = ahead.x <= ahead.y && ahead.x <= ahead.z ? 0 : (ahead.y <= ahead.z ? 1 : 2);
+  voxel = clamp(voxelAt(ray, ahead[axis]), cell.low, cell.low + cell.size - 1);
   voxel[axis] = ray.gridDirection[axis] > 0.0 ? cell.low[axis] + cell.size : cell.low[axis] - 1;
   return voxel[axis] >= 0 && voxel[axis] < voxelCount[axis];
 }
 
 struct TexelWalk {
   ivec2 texel;
-  vec2 leave;
+  vec2 boundary;
   vec2 origin, direction;  // grid units
   float depth, depthStep;  // depth = depth + depthStep * t
 };
@@ -95,17 +96,17 @@ TexelWalk startTexelWalk(TraceRay ray, int axis, float t) {
   walk.depth = origin.z;
   walk.depthStep = direction.z;
   walk.texel = clamp(ivec2(floor((walk.origin + walk.direction * t) * n)), ivec2(0), ivec2(bufferResolution - 1));
-  walk.leave = vec2(boundaryAhead(walk.origin.x, walk.direction.x, walk.texel.x, n),
-                    boundaryAhead(walk.origin.y, walk.direction.y, walk.texel.y, n));
+  walk.boundary = vec2(boundaryAhead(walk.origin.x, walk.direction.x, walk.texel.x, n),
+                       boundaryAhead(walk.origin.y, walk.direction.y, walk.texel.y, n));
   return walk;
 }
 
-float walkExit(TexelWalk walk) { return min(walk.leave.x, walk.leave.y); }
+float walkExit(TexelWalk walk) { return min(walk.boundary.x, walk.boundary.y); }
 
 bool stepTexelWalk(inout TexelWalk walk) {
-  int axis = walk.leave.x <= walk.leave.y ? 0 : 1;
+  int axis = walk.boundary.x <= walk.boundary.y ? 0 : 1;
   walk.texel[axis] += walk.direction[axis] > 0.0 ? 1 : -1;
-  walk.leave[axis] =
+  walk.boundary[axis] =
       boundaryAhead(walk.origin[axis], walk.direction[axis], walk.texel[axis], float(bufferResolution));
   return walk.texel[axis] >= 0 && walk.texel[axis] < bufferResolution;
 }

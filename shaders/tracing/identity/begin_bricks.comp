@@ -1,4 +1,5 @@
-// States of all bricks before any is built: empty, or missing if the voxel pass found triangles. One invocation per brick.
+// States of all bricks before any is built: empty, or missing if the voxel pass found triangles. One invocation per
+// brick.
 #include "shared/passes/identity.h"
 #include "tracing/common/voxel_store.glsl"
 #include "tracing/identity/bricks.glsl"

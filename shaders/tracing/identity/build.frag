@@ -1,5 +1,5 @@
-// A candidate's entries in the lists of requested bricks: counted, then stored. Both steps are one program, so that they
-// see the same fragments whatever the compiler makes of the arithmetic.
+// A candidate's entries in the lists of requested bricks: counted, then stored. Both steps are one program, so that
+// they see the same fragments whatever the compiler makes of the arithmetic.
 #define RUN_ACCESS
 #include "lib/scene.glsl"
 #include "shared/tracing.h"
@@ -17,7 +17,7 @@ layout(location = 1) flat in int inAxis;
 
 void visitVoxel(ivec3 voxel) {
   uint brick = brickIndex(brickOf(voxel)), state = bricks[brick];
-  // In the A-buffer of the brick's axis only; where each triangle is drawn in its own, that is it.
+  // In the A-buffer of the brick's axis only. With own axes that is the axis in which the triangle is drawn.
   bool inPlace = ownAxis == 1 || (voxelMaskAt(brick) & (1u << uint(inAxis))) != 0u;
   ivec2 texel = ivec2(gl_FragCoord.xy);
   if (secondStep == 0) countAt(COUNTER_FRAGMENTS, texel);

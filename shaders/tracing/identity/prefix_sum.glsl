@@ -1,6 +1,6 @@
 // Exclusive prefix sums over many items, in three dispatches (Blelloch 1990): sums of blocks (STEP 0), prefix sums of
-// those and the total (STEP 1, one group), then the items' own (STEP 2). The program that includes this file defines what
-// is summed and what becomes of it.
+// those and the total (STEP 1, one group), then the items' own (STEP 2). The program that includes this file defines
+// what is summed and what becomes of it.
 #include "shared/passes/identity.h"
 #include "tracing/identity/brick_work.glsl"
 
@@ -14,7 +14,7 @@ void store(uint item, uint sum);  // the sum of the items before it
 
 shared uint partial[SUM_GROUP];
 
-// Sums that are too large for a word stay the largest one, which finds no room anywhere.
+// Sums that do not fit a word saturate, and a saturated sum finds no room anywhere.
 uint plus(uint a, uint b) { return a + b < a ? 0xffffffffu : a + b; }
 
 // Inclusive sums of the group's values.

@@ -49,19 +49,19 @@ bool march(TraceRay ray, float end, inout PausedRay pause, inout Hit best) {
   uvec2 list = uvec2(0u);  // what is left of the voxel's candidates
   uint first = 0u;         // where they begin
   ivec3 voxel = voxelAt(ray, t);
-  Cell cell = Cell(voxel, 1, vec3(0.0));  // the voxel, or the whole brick where that is empty
-  float leave = t;
+  Cell cell = Cell(voxel, 1, vec3(0.0));  // the voxel, or the whole brick if that is empty
+  float exit = t;
   bool going = t <= end || done > 0u, entered = false;  // a voxel that was begun is done to its end
   while (going) {
     // On to the next candidate. Walking and testing take turns, so that rays beside each other stay busy.
     while (going && list.x == list.y) {
       if (entered) {
         // A hit behind this voxel may still be beaten by a triangle of the voxels before it.
-        going = best.t > leave && leave < end && leaveCell(ray, cell, voxel);
+        going = best.t > exit && exit < end && leaveCell(ray, cell, voxel);
         if (going) {
           pause.bestTriangle = 0u;
           pause.tested = 0u;
-          t = leave;
+          t = exit;
           when (++work >= workLimit) yielded = voxelAt(ray, t) == voxel;  // or the next one's stretch is too short, too
           going = !yielded;
         }
@@ -70,7 +70,7 @@ bool march(TraceRay ray, float end, inout PausedRay pause, inout Hit best) {
       if (going) {
         uint run = bricks[brickIndex(brickOf(voxel))];
         cell = cellAround(ray, voxel, run == BRICK_EMPTY ? BRICK_SIDE : 1);
-        leave = max(t, min(cellExit(cell), end));
+        exit = max(t, min(cellExit(cell), end));
         if (present(run)) {
           list = listOf(run, voxel);
           first = list.x;
@@ -90,7 +90,7 @@ bool march(TraceRay ray, float end, inout PausedRay pause, inout Hit best) {
       when (++work >= workLimit && list.x != list.y) {
         // From the middle of the voxel's stretch the walk starts in this voxel again, but for the shortest ones: there
         // is no telling where rounding puts them.
-        float middle = 0.5 * (t + leave);
+        float middle = 0.5 * (t + exit);
         if (voxelAt(ray, middle) == voxel) {
           t = middle;
           pause.bestTriangle = best.t < farAway ? best.triangle + 1u : 0u;
@@ -98,7 +98,7 @@ bool march(TraceRay ray, float end, inout PausedRay pause, inout Hit best) {
           yielded = true;
           going = false;
         } else {
-          list.x = list.y;  // too short a stretch to come back to; its neighbours' lists reach over it
+          list.x = list.y;  // too short a stretch to come back to; its neighbors' lists reach over it
         }
       }
     }

@@ -4,12 +4,12 @@
 #include <cmath>
 #include <set>
 
+#include "effects/reflection/reflection_effect.h"
 #include "frame/frame_constants.h"
 #include "frame/gpu_scene.h"
 #include "gpu/context_fixture.h"
 #include "gpu/shader_function.h"
 #include "passes/gbuffer.h"
-#include "passes/select.h"
 
 namespace halfsilver {
 namespace {
@@ -19,13 +19,14 @@ using testing::addQuad;
 struct Selection {
   shared::RayCount count{};
   std::vector<shared::Ray> rays;
-  std::vector<std::uint32_t> pixels;  // sorted
+  std::vector<shared::RayPath> paths;  // of the same rays
+  std::vector<std::uint32_t> pixels;   // sorted
   std::vector<float> position;
   std::vector<GLuint> contributions;
   shared::FrameConstants frame{};
 };
 
-class SelectTest : public testing::ContextTest {
+class ReflectionSpawn : public testing::ContextTest {
  protected:
   // Left half mirror, right half rough, a strip at the top without surface.
   static Scene twoWalls() {
@@ -58,31 +59,47 @@ class SelectTest : public testing::ContextTest {
     result.frame = makeFrameConstants(camera, gpu.bounds, scene.sky, settings, width, height, 0);
     const gl::Buffer constants =
         gl::makeBuffer(api, std::span<const shared::FrameConstants>(&result.frame, 1), "frame");
-    constants.bindUniform(UBO_FRAME);
-    gpu.bind();
     gl::Profiler profiler(api);
+    const ShadowMaps unshadowed;
+    const FrameView view{gpu, unshadowed, constants, result.frame, profiler};
     GBuffer buffer;
-    GBufferPass(api).run(gpu, buffer, width, height, true, profiler);
+    GBufferPass(api).run(view, buffer);
     const glm::vec4 shaded(glm::vec3(shade), 0);
     api.ClearTexImage(buffer.shaded.name(), 0, GL_RGBA, GL_FLOAT, &shaded);
-    SelectPass pass(api);
+    ReflectionEffect effect(api);
     RayQueue queue;
-    Contributions contributions;
-    pass.run(buffer, queue, contributions, profiler);
-    pass.run(buffer, queue, contributions, profiler);  // a second frame starts from zero
+    EffectFrame frame;
+    effect.spawn(view, buffer, 0, queue, frame);
+    effect.spawn(view, buffer, 0, queue, frame);  // a second frame starts from zero
     EXPECT_EQ(queue.capacity, static_cast<std::uint32_t>(width * height));
     result.count = queue.count.read<shared::RayCount>(1)[0];
     result.rays = queue.rays.read<shared::Ray>(result.count.count);
-    result.contributions = contributions.counts.read<GLuint>(CONTRIBUTION_CLASSES);
-    for (const shared::Ray& ray : result.rays) result.pixels.push_back(glm::floatBitsToUint(ray.originPixel.w));
+    result.paths = queue.paths.read<shared::RayPath>(result.count.count);
+    result.contributions = frame.contributions.counts.read<GLuint>(CONTRIBUTION_CLASSES);
+    for (const shared::RayPath& path : result.paths) result.pixels.push_back(path.pixel);
+    expectSlotsOfTheirOwn(result.paths, frame.radiance);
     std::sort(result.pixels.begin(), result.pixels.end());
     result.position = testing::readFloats(buffer.position, GL_RGBA, 4);
     EXPECT_EQ(std::set<std::uint32_t>(result.pixels.begin(), result.pixels.end()).size(), result.pixels.size());
     return result;
   }
+
+  // A slot per ray, empty, that leads to the ray's pixel.
+  static void expectSlotsOfTheirOwn(const std::vector<shared::RayPath>& paths, const RadianceSlots& radiance) {
+    const auto slots = radiance.slots.read<shared::Radiance>(paths.size());
+    const auto pixels = radiance.pixels.read<GLuint>(paths.size());
+    std::set<std::uint32_t> taken;
+    for (const shared::RayPath& path : paths) {
+      ASSERT_LT(path.slot, paths.size());
+      EXPECT_TRUE(taken.insert(path.slot).second);
+      EXPECT_EQ(pixels[path.slot], path.pixel);
+      EXPECT_EQ(slots[path.slot].sum, glm::vec3(0));
+      EXPECT_EQ(slots[path.slot].answered, 0u);
+    }
+  }
 };
 
-TEST_F(SelectTest, ReflectivePixelsOnly) {
+TEST_F(ReflectionSpawn, ReflectivePixelsOnly) {
   const int width = 101, height = 67;
   const Selection selection = select(twoWalls(), {}, width, height);
   std::size_t expected = 0;
@@ -97,21 +114,25 @@ TEST_F(SelectTest, ReflectivePixelsOnly) {
   EXPECT_EQ(selection.count.groupsX, (selection.count.count + 63) / 64);
   EXPECT_EQ(selection.count.groupsY, 1u);
   EXPECT_EQ(selection.count.groupsZ, 1u);
-  for (const shared::Ray& ray : selection.rays) {
-    const std::uint32_t pixel = glm::floatBitsToUint(ray.originPixel.w);
+  for (std::size_t i = 0; i < selection.rays.size(); ++i) {
+    const shared::Ray& ray = selection.rays[i];
+    const shared::RayPath& path = selection.paths[i];
+    const std::uint32_t pixel = path.pixel;
     const glm::vec4 position(selection.position[4 * pixel], selection.position[4 * pixel + 1],
                              selection.position[4 * pixel + 2], selection.position[4 * pixel + 3]);
-    EXPECT_EQ(glm::vec3(ray.originPixel), glm::vec3(position));
+    EXPECT_EQ(ray.origin, glm::vec3(position));
+    EXPECT_EQ(ray.maxDistance, FAR_AWAY);
     // The wall's normal is +z: x and y go on, z turns round.
     const glm::vec3 view = glm::normalize(glm::vec3(position));
-    EXPECT_LT(glm::distance(glm::vec3(ray.directionExclude), glm::vec3(view.x, view.y, -view.z)), 1e-6f);
-    EXPECT_LT(glm::floatBitsToUint(ray.directionExclude.w), 2u);
-    EXPECT_EQ(glm::vec3(ray.throughput), glm::vec3(1));
-    EXPECT_NEAR(ray.throughput.w, glm::length(glm::vec3(position)), 1e-5f);
+    EXPECT_LT(glm::distance(ray.direction, glm::vec3(view.x, view.y, -view.z)), 1e-6f);
+    EXPECT_LT(ray.excluded, 2u);
+    EXPECT_EQ(path.throughput, glm::vec3(1));
+    EXPECT_EQ(path.kind, RAY_REFLECTION);
+    EXPECT_NEAR(path.pathLength, glm::length(glm::vec3(position)), 1e-5f);
   }
 }
 
-TEST_F(SelectTest, Modes) {
+TEST_F(ReflectionSpawn, Modes) {
   Settings settings;
   settings.select.mode = SelectMode::all;
   const Selection all = select(twoWalls(), settings, 64, 64);
@@ -134,7 +155,7 @@ TEST_F(SelectTest, Modes) {
   EXPECT_GT(select(twoWalls(), settings, 64, 64).count.count, 1000u);
 }
 
-TEST_F(SelectTest, FractionsAreExactNestedAndEven) {
+TEST_F(ReflectionSpawn, FractionsAreExactNestedAndEven) {
   const Scene scene = mirrorWall();
   const int width = 150, height = 130;
   const double pixels = width * height;
@@ -156,7 +177,7 @@ TEST_F(SelectTest, FractionsAreExactNestedAndEven) {
   EXPECT_EQ(smaller.size(), static_cast<std::size_t>(pixels));
 }
 
-TEST_F(SelectTest, RegionsAreNestedRectanglesAroundTheCentre) {
+TEST_F(ReflectionSpawn, RegionsAreNestedRectanglesAroundTheCentre) {
   const Scene scene = mirrorWall();
   const int width = 150, height = 131;
   std::vector<std::uint32_t> smaller;
@@ -195,7 +216,7 @@ std::size_t classOf(double contribution) {
   return static_cast<std::size_t>(octaves * CONTRIBUTION_CLASSES / CONTRIBUTION_OCTAVES);
 }
 
-TEST_F(SelectTest, PixelsAreCountedByWhatTheirReflectionAdds) {
+TEST_F(ReflectionSpawn, PixelsAreCountedByWhatTheirReflectionAdds) {
   Settings settings;
   settings.image.toneMap = ToneMap::none;
   Scene scene = mirrorWall();
@@ -233,7 +254,7 @@ TEST_F(SelectTest, PixelsAreCountedByWhatTheirReflectionAdds) {
   EXPECT_GT(before, 0.001);
 }
 
-TEST_F(SelectTest, LeastContributionsGoFirstAndEqualOnesThinOut) {
+TEST_F(ReflectionSpawn, LeastContributionsGoFirstAndEqualOnesThinOut) {
   Settings settings;
   settings.image.toneMap = ToneMap::none;
   // A mirror's reflectance rises towards the edges of the screen, where it is seen at an angle.
@@ -264,9 +285,9 @@ TEST_F(SelectTest, LeastContributionsGoFirstAndEqualOnesThinOut) {
   EXPECT_TRUE(larger.empty());
 }
 
-TEST_F(SelectTest, LargeQueuesStayBelowTheDispatchLimit) {
+TEST_F(ReflectionSpawn, LargeQueuesStayBelowTheDispatchLimit) {
   // The counter alone: rows of groups where one axis is not enough.
-  gl::Program finish = gl::Program::compute(api, "passes/ray_count.comp");
+  gl::Program finish = gl::Program::compute(api, "effects/ray_count.comp");
   for (const std::uint32_t count : {0u, 1u, 64u, 65u, 65535u * 64u, 65535u * 64u + 1u, 40000000u}) {
     shared::RayCount value{};
     value.count = count;

@@ -1,5 +1,4 @@
 #include <cmath>
-#include <cstring>
 #include <glm/gtc/constants.hpp>
 
 #include "gpu/light_fixture.h"
@@ -11,19 +10,14 @@ using glm::vec3;
 using glm::vec4;
 constexpr std::size_t kQueue = 8;  // rays that fit
 
-float bits(std::uint32_t value) {
-  float f = 0;
-  std::memcpy(&f, &value, sizeof(f));
-  return f;
-}
-std::uint32_t bits(float value) {
-  std::uint32_t u = 0;
-  std::memcpy(&u, &value, sizeof(u));
-  return u;
-}
+// A ray of a queue, with what the effect knows of it.
+struct QueuedRay {
+  shared::Ray ray;
+  shared::RayPath path;
+};
 
 // Rays and their hits made by hand, on a quad in the plane y = 0 (triangles 0 and 1) whose light is emission alone.
-class ShadeHitsTest : public LightTest {
+class ReflectionShade : public LightTest {
  protected:
   void setUp(const Material& material) {
     scene_ = Scene();
@@ -35,27 +29,47 @@ class ShadeHitsTest : public LightTest {
     draw(scene_, camera, 4, 2);
   }
 
-  shared::Ray ray(std::uint32_t pixel, const vec3& origin, const vec3& direction, const vec3& throughput = vec3(1)) {
-    return {vec4(origin, bits(pixel)), vec4(glm::normalize(direction), bits(NO_TRIANGLE)), vec4(throughput, 5.0f)};
+  QueuedRay ray(std::uint32_t pixel, const vec3& origin, const vec3& direction, const vec3& throughput = vec3(1)) {
+    return {{origin, FAR_AWAY, glm::normalize(direction), NO_TRIANGLE},
+            {throughput, 5.0f, pixel, 0, RAY_REFLECTION, 0}};
   }
 
-  RayQueue makeQueue(const std::vector<shared::Ray>& rays) {
+  // The rays have the slots of their place in the queue.
+  RayQueue makeQueue(const std::vector<QueuedRay>& queued) {
+    std::vector<shared::Ray> rays;
+    std::vector<shared::RayPath> paths;
+    for (const QueuedRay& each : queued) {
+      rays.push_back(each.ray);
+      paths.push_back(each.path);
+      paths.back().slot = static_cast<std::uint32_t>(paths.size() - 1);
+    }
     RayQueue queue;
     queue.capacity = kQueue;
     queue.rays = gl::Buffer(api, kQueue * sizeof(shared::Ray), "rays");
+    queue.paths = gl::Buffer(api, kQueue * sizeof(shared::RayPath), "paths");
     queue.count = gl::Buffer(api, sizeof(shared::RayCount), "count");
     queue.rays.write(std::span<const shared::Ray>(rays));
+    queue.paths.write(std::span<const shared::RayPath>(paths));
     const shared::RayCount count[] = {{1, 1, 1, static_cast<std::uint32_t>(rays.size()), 0, 0, 0, 0}};
     queue.count.write(std::span<const shared::RayCount>(count));
     return queue;
   }
 
-  void shade(const RayQueue& queue, const std::vector<shared::Hit>& found, RayQueue* next = nullptr,
+  // Shades first rays, whose slots are empty before, and brings their light to the pixels.
+  void shade(const RayQueue& first, const std::vector<shared::Hit>& found, RayQueue* next = nullptr,
              const std::vector<shared::HitSurface>& surfaces = {}) {
+    emptySlots(first);
+    shadeOn(first, first, found, next, surfaces);
+  }
+
+  // The same for rays of a later generation, which add to the slots of the first.
+  void shadeOn(const RayQueue& first, const RayQueue& rays, const std::vector<shared::Hit>& found,
+               RayQueue* next = nullptr, const std::vector<shared::HitSurface>& surfaces = {}) {
     Hits hits;
     hits.hits = gl::makeBuffer(api, std::span<const shared::Hit>(found), "hits");
     if (!surfaces.empty()) hits.surfaces = gl::makeBuffer(api, std::span<const shared::HitSurface>(surfaces), "s");
-    hitsPass.run(queue, hits, gbuffer, next, profiler);
+    reflectionEffect.shade(view(), rays, hits, next, effectFrame_);
+    reflectionEffect.resolve(view(), first, effectFrame_, gbuffer);
   }
 
   vec4 reflection(int x, int y) { return pixels(gbuffer.reflection)[static_cast<std::size_t>(4 * y + x)]; }
@@ -64,7 +78,16 @@ class ShadeHitsTest : public LightTest {
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(found[c], expected[c], 2e-3f) << "channel " << c;
   }
 
+  void emptySlots(const RayQueue& first) {
+    std::vector<GLuint> slotPixels;
+    for (const shared::RayPath& path : first.paths.read<shared::RayPath>(kQueue)) slotPixels.push_back(path.pixel);
+    effectFrame_.radiance.pixels = gl::makeBuffer(api, std::span<const GLuint>(slotPixels), "pixels of slots");
+    effectFrame_.radiance.slots = gl::Buffer(api, kQueue * sizeof(shared::Radiance), "slots");
+    effectFrame_.radiance.slots.fill(0);
+  }
+
   Scene scene_;
+  EffectFrame effectFrame_;
   const vec3 sky_{0.25f, 0.5f, 1};
 };
 
@@ -76,7 +99,7 @@ Material glowing(Material material, const vec3& color) {
 const shared::Hit kMiss{HIT_MISS, NO_TRIANGLE, 0, 0};
 const shared::Hit kOverflow{HIT_OVERFLOW, NO_TRIANGLE, 0, 0};
 
-TEST_F(ShadeHitsTest, MissShowsTheSkyAndOverflowLeavesThePixelUntraced) {
+TEST_F(ReflectionShade, MissShowsTheSkyAndOverflowLeavesThePixelUntraced) {
   setUp(diffuse(vec3(1)));
   const RayQueue queue = makeQueue(
       {ray(2, {0, 1, 0}, {1, 1, 0}), ray(5, {0, 1, 0}, {1, 1, 0}, vec3(0.5f, 1, 0)), ray(6, {0, 1, 0}, {0, 1, 0})});
@@ -88,7 +111,7 @@ TEST_F(ShadeHitsTest, MissShowsTheSkyAndOverflowLeavesThePixelUntraced) {
   EXPECT_EQ(reflection(0, 0), vec4(0));  // no ray
 }
 
-TEST_F(ShadeHitsTest, HitOnADullSurfaceShowsItsLight) {
+TEST_F(ReflectionShade, HitOnADullSurfaceShowsItsLight) {
   setUp(glowing(diffuse(vec3(0)), {0.9f, 0.3f, 0.1f}));
   const RayQueue queue = makeQueue({ray(0, {0, 1, 0}, {1, -1, 0}, vec3(0.5f))});
   RayQueue next = makeQueue({});
@@ -98,7 +121,7 @@ TEST_F(ShadeHitsTest, HitOnADullSurfaceShowsItsLight) {
   EXPECT_EQ(next.count.read<shared::RayCount>(1)[0].count, 0u);
 }
 
-TEST_F(ShadeHitsTest, LitHitEqualsTheDeferredPixel) {
+TEST_F(ReflectionShade, LitHitEqualsTheDeferredPixel) {
   Material material;
   material.baseColor = {0.7f, 0.5f, 0.2f, 1};
   material.metallic = 0.3f;
@@ -120,7 +143,7 @@ TEST_F(ShadeHitsTest, LitHitEqualsTheDeferredPixel) {
 }
 
 // W = 1: nothing of the surface's own light. W = 0.5: half of each.
-TEST_F(ShadeHitsTest, LastBounceReflectsTheSky) {
+TEST_F(ReflectionShade, LastBounceReflectsTheSky) {
   setUp(glowing(mirror(1), vec3(7)));
   shade(makeQueue({ray(0, {0, 2, 0}, {0, -1, 0})}), {{2, 0, 0.25f, 0.5f}});
   expectColor(reflection(0, 0), sky_);
@@ -129,7 +152,7 @@ TEST_F(ShadeHitsTest, LastBounceReflectsTheSky) {
   expectColor(reflection(0, 0), 0.5f * vec3(3) + 0.5f * sky_);
 }
 
-TEST_F(ShadeHitsTest, SecondBounceIsSentOnAndAdded) {
+TEST_F(ReflectionShade, SecondBounceIsSentOnAndAdded) {
   setUp(glowing(mirror(0.5f), vec3(3)));
   const vec3 direction = glm::normalize(vec3(1, -1, 0.5f));
   const float t = 2 / -direction.y;
@@ -137,9 +160,9 @@ TEST_F(ShadeHitsTest, SecondBounceIsSentOnAndAdded) {
   const float u = (hit.x + 4) / 8 - (4 - hit.z) / 8, v = (4 - hit.z) / 8;
   ASSERT_GE(u, 0);
   RayQueue next = makeQueue({});
-  shade(makeQueue({ray(0, {0, 2, 0}, direction), ray(3, {0, 2, 0}, {0, 1, 0}),
-                   ray(5, {0, 2, 0}, direction, vec3(0, 0.5f, 1))}),
-        {{t, 0, u, v}, kMiss, {t, 0, u, v}}, &next);
+  const RayQueue queue = makeQueue(
+      {ray(0, {0, 2, 0}, direction), ray(3, {0, 2, 0}, {0, 1, 0}), ray(5, {0, 2, 0}, direction, vec3(0, 0.5f, 1))});
+  shade(queue, {{t, 0, u, v}, kMiss, {t, 0, u, v}}, &next);
   const float cosine = -direction.y;
   const float share = 0.5f + 0.5f * std::pow(1 - cosine, 5.0f);
   expectColor(reflection(0, 0), vec3((1 - share) * 3));
@@ -149,25 +172,29 @@ TEST_F(ShadeHitsTest, SecondBounceIsSentOnAndAdded) {
   EXPECT_EQ(count.groupsX, 1u);
   EXPECT_EQ(count.groupsY, 1u);
   EXPECT_EQ(count.groupsZ, 1u);
-  for (const shared::Ray& sent : next.rays.read<shared::Ray>(2)) {
-    const bool first = bits(sent.originPixel.w) == 0;
-    EXPECT_TRUE(first || bits(sent.originPixel.w) == 5);
-    EXPECT_LT(glm::distance(vec3(sent.originPixel), hit), 1e-5f);
-    EXPECT_LT(glm::distance(vec3(sent.directionExclude), direction * vec3(1, -1, 1)), 1e-5f);
-    EXPECT_EQ(bits(sent.directionExclude.w), 0u);
+  const auto rays = next.rays.read<shared::Ray>(2);
+  const auto paths = next.paths.read<shared::RayPath>(2);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const bool first = paths[i].pixel == 0;
+    EXPECT_TRUE(first || paths[i].pixel == 5);
+    EXPECT_EQ(paths[i].slot, first ? 0u : 2u);
+    EXPECT_LT(glm::distance(rays[i].origin, hit), 1e-5f);
+    EXPECT_LT(glm::distance(rays[i].direction, direction * vec3(1, -1, 1)), 1e-5f);
+    EXPECT_EQ(rays[i].maxDistance, FAR_AWAY);
+    EXPECT_EQ(rays[i].excluded, 0u);
     const vec3 throughput = share * (first ? vec3(1) : vec3(0, 0.5f, 1));
-    EXPECT_LT(glm::distance(vec3(sent.throughput), throughput), 1e-5f);
-    EXPECT_NEAR(sent.throughput.w, 5 + t, 1e-4f);
+    EXPECT_LT(glm::distance(paths[i].throughput, throughput), 1e-5f);
+    EXPECT_NEAR(paths[i].pathLength, 5 + t, 1e-4f);
   }
 
-  shade(next, {kMiss, kOverflow});
-  const bool firstMissed = bits(next.rays.read<shared::Ray>(1)[0].originPixel.w) == 0;
+  shadeOn(queue, next, {kMiss, kOverflow});
+  const bool firstMissed = paths[0].pixel == 0;
   const vec4 missed = firstMissed ? reflection(0, 0) : reflection(1, 1);
   const vec3 throughput = firstMissed ? vec3(1) : vec3(0, 0.5f, 1);
   expectColor(missed, throughput * ((1 - share) * 3 + share * sky_));
 }
 
-TEST_F(ShadeHitsTest, NoRayBelowTheThreshold) {
+TEST_F(ReflectionShade, NoRayBelowTheThreshold) {
   settings.select.minReflectivity = 0.6f;
   setUp(glowing(mirror(0.5f), vec3(3)));
   RayQueue next = makeQueue({});
@@ -177,7 +204,7 @@ TEST_F(ShadeHitsTest, NoRayBelowTheThreshold) {
   expectColor(reflection(0, 0), 0.5f * vec3(3) + 0.5f * sky_);
 }
 
-TEST_F(ShadeHitsTest, UnlitHitIsItsColour) {
+TEST_F(ReflectionShade, UnlitHitIsItsColour) {
   Material material = diffuse({0.2f, 0.4f, 0.6f});
   material.unlit = true;
   material.roughness = 0;
@@ -189,7 +216,7 @@ TEST_F(ShadeHitsTest, UnlitHitIsItsColour) {
 }
 
 // Colour, normal and reflectivity come from the method's store, whatever the triangle says.
-TEST_F(ShadeHitsTest, StoredSurfacesReplaceTheTrianglesOwn) {
+TEST_F(ReflectionShade, StoredSurfacesReplaceTheTrianglesOwn) {
   Material material = diffuse(vec3(1));
   material.metallic = 1;
   material.roughness = 1;  // times a texture's
@@ -197,16 +224,17 @@ TEST_F(ShadeHitsTest, StoredSurfacesReplaceTheTrianglesOwn) {
   setUp(material);
   const vec3 metal(0.8f, 0.4f, 0.2f);
   const float luminance = glm::dot(metal, vec3(0.2126f, 0.7152f, 0.0722f));
-  const shared::HitSurface stored{vec4(metal, 0), vec4(glm::normalize(vec3(1, 1, 0)), luminance * 0.5f)};
+  const shared::HitSurface stored{metal, 0, glm::normalize(vec3(1, 1, 0)), luminance * 0.5f};
   RayQueue next = makeQueue({});
   shade(makeQueue({ray(0, {0, 2, 0}, {0, -1, 0})}), {{2, 1, 0, 0}}, &next, {stored});
   ASSERT_EQ(next.count.read<shared::RayCount>(1)[0].count, 1u);
   const shared::Ray sent = next.rays.read<shared::Ray>(1)[0];
-  EXPECT_LT(glm::distance(vec3(sent.directionExclude), vec3(1, 0, 0)), 1e-5f);
-  EXPECT_LT(glm::distance(vec3(sent.originPixel), vec3(0)), 1e-5f);
+  const shared::RayPath path = next.paths.read<shared::RayPath>(1)[0];
+  EXPECT_LT(glm::distance(sent.direction, vec3(1, 0, 0)), 1e-5f);
+  EXPECT_LT(glm::distance(sent.origin, vec3(0)), 1e-5f);
   const vec3 fresnel = metal + (1.0f - metal) * std::pow(1 - std::sqrt(0.5f), 5.0f);
-  EXPECT_LT(glm::distance(vec3(sent.throughput), 0.5f * fresnel), 1e-4f);
-  EXPECT_EQ(bits(sent.directionExclude.w), 1u);
+  EXPECT_LT(glm::distance(path.throughput, 0.5f * fresnel), 1e-4f);
+  EXPECT_EQ(sent.excluded, 1u);
 }
 
 }  // namespace
