@@ -33,10 +33,10 @@ std::vector<int> steps(bool quick) {
 
 Settings curveSettings(const std::string& preset, SelectPattern pattern, bool quick, std::size_t triangles) {
   Settings settings = presetSettings(preset, quick, triangles);
-  if (settings.trace.method == Method::none) throw Error(ErrorKind::usage, "the preset " + preset + " traces nothing");
+  if (settings.trace.method == "none") throw Error(ErrorKind::usage, "the preset " + preset + " traces nothing");
   settings.select.mode = SelectMode::all;
   settings.select.pattern = pattern;
-  settings.abuffer.keep = false;  // what a frame costs whose scene moves
+  settings.identity.keep = false;  // what a frame costs whose scene moves
   return settings;
 }
 

@@ -32,7 +32,7 @@ std::vector<Variant> variants(bool quick, std::size_t triangles, bool exact) {
   const Settings kastrati = presetSettings("kastrati2017", quick, triangles);
   all.push_back({"kastrati2017", kastrati});
   settings = kastrati;
-  settings.abuffer.buffers = Buffers::three;
+  settings.attributes.buffers = Buffers::three;
   all.push_back({"kastrati2017 three", settings});
   settings = presetSettings("hu2014", quick, triangles);
   settings.select.mode = SelectMode::reflective;

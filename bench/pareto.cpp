@@ -8,6 +8,7 @@
 
 #include <halfsilver/error.h>
 #include <halfsilver/io.h>
+#include <halfsilver/methods.h>
 #include "apps/drawing.h"
 #include "bench/pareto_report.h"
 #include "bench/points.h"
@@ -99,7 +100,7 @@ std::vector<Variant> variants(bool quick, std::size_t triangles) {
 // All is built anew in each frame, as where the scene moves, but where a variant says otherwise.
 Settings settingsOf(const Variant& variant, bool quick, std::size_t triangles) {
   Settings settings = presetSettings(variant.preset, quick, triangles);
-  settings.abuffer.keep = false;
+  settings.identity.keep = false;
   for (const auto& [name, value] : variant.values) set(settings, name, value);
   return settings;
 }
@@ -162,7 +163,7 @@ Task taskOf(const Setup& setup, const BenchScene& scene, const Variant& variant,
   task.key["knob"] = variant.knob;
   task.key["beside"] = variant.beside;
   task.key["round"] = round;
-  task.work = workOf(settings.trace.method == Method::attributes ? 12 : 2, triangles);
+  task.work = workOf(methodInfo(settings.trace.method).fixedResolution ? 12 : 2, triangles);
   task.measure = [measurement, &scene, variant, settings, round](Json& point) {
     measurement->measure(scene, variant, settings, round, point);
   };

@@ -9,6 +9,7 @@
 
 #include <halfsilver/error.h>
 #include <halfsilver/io.h>
+#include <halfsilver/methods.h>
 #include "bench/scaling_report.h"
 #include "bench/scaling_scenes.h"
 
@@ -73,12 +74,12 @@ bool growsTriangles(const Case& point) {
 // anyway does not hide what grows.
 Settings settingsOf(const std::string& preset, bool quick, const Case& point) {
   Settings settings = presetSettings(preset, quick, 0);
-  if (settings.trace.method == Method::none) throw Error(ErrorKind::usage, "the preset " + preset + " traces nothing");
-  if (settings.trace.method == Method::attributes) settings.abuffer.resolution = kTexels;
+  if (settings.trace.method == "none") throw Error(ErrorKind::usage, "the preset " + preset + " traces nothing");
+  if (methodInfo(settings.trace.method).fixedResolution) settings.abuffer.resolution = kTexels;
   settings.select.mode = point.fraction ? SelectMode::all : SelectMode::reflective;
   settings.select.fraction = point.fraction.value_or(1.0f);
   settings.trace.bounces = point.bounces;
-  settings.abuffer.keep = false;  // what a frame costs whose scene moves
+  settings.identity.keep = false;  // what a frame costs whose scene moves
   return settings;
 }
 

@@ -48,7 +48,7 @@ std::vector<Variant> variants(bool quick) {
   all.push_back({"kastrati2017", paper("kastrati2017")});
   Settings full = paper("kastrati2017");
   full.voxels.raster = VoxelRaster::abuffer;
-  full.search.steps = 0;
+  full.attributes.steps = 0;
   all.push_back({"kastrati2017 full", full});
   all.push_back({"hu2014 reflective", paper("hu2014")});
   return all;

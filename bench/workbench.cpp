@@ -8,6 +8,7 @@
 
 #include <halfsilver/error.h>
 #include <halfsilver/io.h>
+#include <halfsilver/methods.h>
 #include "apps/drawing.h"
 
 namespace halfsilver::bench {
@@ -66,7 +67,7 @@ std::vector<BenchScene> loadScenes(const Request& request) {
 Settings presetSettings(const std::string& preset, bool quick, std::size_t triangles) {
   Settings settings;
   applyPreset(settings, preset);
-  if (settings.trace.method != Method::attributes) return settings;
+  if (!methodInfo(settings.trace.method).fixedResolution) return settings;
   settings.voxels.resolution = quick ? 32 : triangles > kLargeScene ? 256 : 64;
   settings.abuffer.resolution = quick ? 256 : 1024;
   return settings;

@@ -5,7 +5,6 @@
 #include <deque>
 #include <optional>
 #include <string>
-#include <tuple>
 #include <utility>
 
 #include <halfsilver/error.h>
@@ -25,20 +24,17 @@
 namespace halfsilver {
 namespace {
 
-// What a tracer is made from; another value needs another tracer.
-auto tracerKey(const Settings& s) { return std::tuple(s.voxels, s.abuffer, s.search, s.trace.method, s.trace.stage); }
-
 // Frames that may be under way, and frames whose figures may be: those, and one that has been reported.
 constexpr std::size_t kFrames = 2, kRecords = kFrames + 1;
 
 }  // namespace
 
 struct Renderer::Impl {
-  Impl(const std::function<Proc(const char*)>& getProcAddress, TracerFactory exactTracer)
-      : api(gl::Api::load(getProcAddress)), exact(std::move(exactTracer)) {}
+  Impl(const std::function<Proc(const char*)>& getProcAddress, std::vector<Method> brought)
+      : api(gl::Api::load(getProcAddress)), methods(std::move(brought)) {}
 
   gl::Api api;
-  TracerFactory exact;
+  std::vector<Method> methods;  // the caller's own
   ShadowPass shadowPass{api};
   GBufferPass gbufferPass{api};
   ShadePass shadePass{api};
@@ -82,12 +78,15 @@ struct Renderer::Impl {
 };
 
 void Renderer::Impl::useTracer(const Settings& wanted) {
-  if (tracerSettings && tracerKey(*tracerSettings) == tracerKey(wanted)) return;
+  if (tracerSettings && sameTracer(api, *tracerSettings, wanted, methods)) {
+    tracerSettings = wanted;
+    return;
+  }
   if (!underWay.empty())
     throw Error(ErrorKind::usage, "begin(): the settings need another tracer while a frame is under way");
   tracer.reset();  // its memory goes before the new one's comes
   tracerSettings.reset();
-  tracer = makeTracer(api, wanted, exact);
+  tracer = makeTracer(api, wanted, methods);
   tracerSettings = wanted;
   change = SceneChange::everything();
 }
@@ -212,7 +211,10 @@ void Renderer::Impl::upload(const Scene& wanted, const SceneChange& changed) {
 }
 
 Renderer::Renderer(const std::function<Proc(const char*)>& getProcAddress, TracerFactory exact)
-    : impl_(std::make_unique<Impl>(getProcAddress, std::move(exact))) {}
+    : Renderer(getProcAddress,
+               exact ? std::vector<Method>{{methodInfo("exact"), std::move(exact)}} : std::vector<Method>()) {}
+Renderer::Renderer(const std::function<Proc(const char*)>& getProcAddress, std::vector<Method> methods)
+    : impl_(std::make_unique<Impl>(getProcAddress, std::move(methods))) {}
 Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;

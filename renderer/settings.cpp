@@ -1,32 +1,52 @@
 #include <halfsilver/settings.h>
 
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <type_traits>
 
 #include <halfsilver/error.h>
+#include <halfsilver/methods.h>
 
 namespace halfsilver {
 namespace {
 
-template <class E>
-struct Choices;  // names in the order of the enumerators
-#define HALFSILVER_CHOICES(E, ...)                                    \
-  template <>                                                         \
-  struct Choices<E> {                                                 \
-    static std::vector<std::string> names() { return {__VA_ARGS__}; } \
+// Names of choices, in the order of the enumerators. Those of a method's own are beside its settings.
+constexpr auto choiceNames(SelectMode) { return std::array{"none", "reflective", "all"}; }
+constexpr auto choiceNames(SelectPattern) { return std::array{"scattered", "region"}; }
+constexpr auto choiceNames(Fill) { return std::array{"sky", "neighbours"}; }
+constexpr auto choiceNames(VoxelRaster) { return std::array{"voxel", "abuffer", "conservative"}; }
+constexpr auto choiceNames(AxisRule) { return std::array{"normal", "area", "own"}; }
+constexpr auto choiceNames(TraceStage) { return std::array{"compute", "fragment"}; }
+constexpr auto choiceNames(ToneMap) { return std::array{"filmic", "none"}; }
+
+template <class T>
+constexpr bool isChoice = std::is_enum_v<T> || std::is_same_v<T, std::string>;  // the one text names a method
+
+template <class T>
+std::vector<std::string> choicesOf() {
+  if constexpr (std::is_enum_v<T>) {
+    const auto names = choiceNames(T());
+    return {names.begin(), names.end()};
+  } else {
+    std::vector<std::string> names;
+    for (const MethodInfo& method : methods()) names.push_back(method.name);
+    return names;
+  }
+}
+
+std::string_view sectionOf(std::string_view name) { return name.substr(0, name.find('.')); }
+
+// The settings of each method, of those sections for which `wanted` holds.
+template <class S, class Visitor, class Wanted>
+void visitMethods(S& s, Visitor&& visit, Wanted&& wanted) {
+  const auto visitWanted = [&](const char* name, auto& value, double low, double high, const char* help) {
+    if (wanted(sectionOf(name))) visit(name, value, low, high, help);
   };
-HALFSILVER_CHOICES(SelectMode, "none", "reflective", "all")
-HALFSILVER_CHOICES(SelectPattern, "scattered", "region")
-HALFSILVER_CHOICES(Fill, "sky", "neighbours")
-HALFSILVER_CHOICES(VoxelRaster, "voxel", "abuffer", "conservative")
-HALFSILVER_CHOICES(AxisRule, "normal", "area", "own")
-HALFSILVER_CHOICES(Buffers, "single", "three")
-HALFSILVER_CHOICES(Lists, "pages", "linked")
-HALFSILVER_CHOICES(Method, "none", "attributes", "identity", "exact", "auto")
-HALFSILVER_CHOICES(TraceStage, "compute", "fragment")
-HALFSILVER_CHOICES(ToneMap, "filmic", "none")
-#undef HALFSILVER_CHOICES
+  IdentitySettings::visit(s.identity, visitWanted);
+  AttributeSettings::visit(s.attributes, visitWanted);
+}
 
 // The table: visit(name, value, low, high, help) for each setting; low and high count for numbers only.
 template <class S, class Visitor>
@@ -41,17 +61,11 @@ void visitAll(S& s, Visitor&& visit) {
         "pixels that add at most about this to the display go");
   visit("select.fill", s.select.fill, 0, 0, "what stands in for reflections that are not traced");
   visit("voxels.resolution", s.voxels.resolution, 1, 512, "voxels along each axis (identity: at most)");
-  visit("voxels.per_triangle", s.voxels.perTriangle, 0, 1000, "voxels a triangle; 0: as resolution says (identity)");
+  visitMethods(s, visit, [](std::string_view section) { return section == "voxels"; });
   visit("voxels.raster", s.voxels.raster, 0, 0, "how triangles reach voxels");
   visit("voxels.axis", s.voxels.axis, 0, 0, "how a dominant axis is chosen");
   visit("abuffer.resolution", s.abuffer.resolution, 1, 4096, "texels along each axis");
-  visit("abuffer.keep", s.abuffer.keep, 0, 1, "keep what is built while the geometry stays (identity)");
-  visit("abuffer.page_size", s.abuffer.pageSize, 1, 64, "entries of a page");
-  visit("abuffer.buffers", s.abuffer.buffers, 0, 0, "one buffer a fragment, or all three");
-  visit("abuffer.lists", s.abuffer.lists, 0, 0, "pages or a linked list of entries");
-  visit("abuffer.sorted", s.abuffer.sorted, 0, 1, "entries are sorted by depth after the build");
-  visit("search.steps", s.search.steps, 0, 64, "linear steps in a voxel; 0: full 2D-DDA");
-  visit("search.refinements", s.search.refinements, 0, 32, "binary search steps");
+  visitMethods(s, visit, [](std::string_view section) { return section != "voxels"; });
   visit("trace.method", s.trace.method, 0, 0, "the tracer");
   visit("trace.bounces", s.trace.bounces, 1, 16, "reflections along a path");
   visit("trace.stage", s.trace.stage, 0, 0, "the shader stage that traces");
@@ -94,9 +108,12 @@ std::vector<SettingInfo> describe(const Settings& settings) {
     if constexpr (std::is_same_v<T, bool>) {
       info.kind = SettingInfo::Kind::boolean;
       info.value = value ? "true" : "false";
-    } else if constexpr (std::is_enum_v<T>) {
-      info.choices = Choices<T>::names();
-      info.value = info.choices[static_cast<std::size_t>(value)];
+    } else if constexpr (isChoice<T>) {
+      info.choices = choicesOf<T>();
+      if constexpr (std::is_enum_v<T>)
+        info.value = info.choices[static_cast<std::size_t>(value)];
+      else
+        info.value = value;
     } else {
       info.kind = std::is_integral_v<T> ? SettingInfo::Kind::integer : SettingInfo::Kind::real;
       info.value = numberText(value);
@@ -115,17 +132,18 @@ void set(Settings& settings, std::string_view name, std::string_view value) {
     if constexpr (std::is_same_v<T, bool>) {
       if (value != "true" && value != "false") reject(name, value, "true or false");
       target = value == "true";
-    } else if constexpr (std::is_enum_v<T>) {
-      const std::vector<std::string> names = Choices<T>::names();
-      std::string list;
-      for (std::size_t i = 0; i < names.size(); ++i) {
-        if (names[i] == value) {
-          target = static_cast<T>(i);
-          return;
-        }
-        list += (i ? ", " : "") + names[i];
+    } else if constexpr (isChoice<T>) {
+      const std::vector<std::string> names = choicesOf<T>();
+      const auto chosen = std::find(names.begin(), names.end(), value);
+      if (chosen == names.end()) {
+        std::string list;
+        for (const std::string& each : names) list += (list.empty() ? "" : ", ") + each;
+        reject(name, value, "one of " + list);
       }
-      reject(name, value, "one of " + list);
+      if constexpr (std::is_enum_v<T>)
+        target = static_cast<T>(chosen - names.begin());
+      else
+        target = *chosen;
     } else {
       target = static_cast<T>(parseNumber(name, value, low, high, std::is_integral_v<T>));
     }

@@ -11,7 +11,7 @@ namespace halfsilver {
 // "auto", "egl" or "osmesa", as --context takes them.
 ContextKind contextKind(const std::string& name);
 
-// Rays of the CPU for Method::exact; empty where the project is built without Embree. The scene must outlive it.
+// Rays of the CPU for trace.method=exact; empty where the project is built without Embree. The scene must outlive it.
 // `threads` 0: one a core.
 TracerFactory exactFactory(const Scene& scene, int threads);
 

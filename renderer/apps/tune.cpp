@@ -38,7 +38,7 @@ struct TuneRequest {
 // Everything is built anew in each frame. Shadows do not change what a ray hits; they would be drawn again with every
 // change of the settings.
 Settings measuredSettings(Settings settings) {
-  settings.abuffer.keep = false;
+  settings.identity.keep = false;
   settings.shadow.resolution = 16;
   settings.shadow.skyDirections = 0;
   return settings;
@@ -62,7 +62,7 @@ class Measurement {
 
   // The same rays, exactly. Returns the report of its frame.
   FrameReport drawReference(Settings settings) {
-    settings.trace.method = Method::exact;
+    settings.trace.method = "exact";
     renderer_.render(camera_, measuredSettings(settings), target_);
     reference_ = renderer_.readLayers();
     return renderer_.report();
@@ -270,8 +270,8 @@ void addTuneCommand(CLI::App& program) {
       ->capture_default_str();
   addViewOptions(*command, request.view);
   command->footer(
-      "Tried are the methods identity (voxels.per_triangle) and attributes (search.steps, voxels.resolution, "
-      "abuffer.resolution).\nWhat --set names stays as it is: --set trace.method=attributes tunes that method alone. "
+      "Tried are the methods " + tunedSettings() +
+      ".\nWhat --set names stays as it is: --set trace.method=attributes tunes that method alone. "
       "--preset and --config say what is drawn;\nthe settings of voxels, abuffer and search come from each method's "
       "own "
       "preset.");

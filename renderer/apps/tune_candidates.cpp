@@ -4,38 +4,30 @@
 
 #include <halfsilver/error.h>
 #include <halfsilver/io.h>
+#include <halfsilver/methods.h>
 
 namespace halfsilver {
 namespace {
 
-struct Axis {
-  std::string name;
-  std::vector<std::string> values;
-};
-
-// The last axis is climbed, the others make a ladder each.
-struct Family {
-  std::string preset;
-  std::vector<Axis> axes;
-};
-
-std::vector<Family> families() {
-  return {{"halfsilver", {{"voxels.per_triangle", {"2", "4", "8", "16", "32", "64"}}}},
-          {"kastrati2017",
-           {{"search.steps", {"1", "3", "0"}},
-            {"voxels.resolution", {"64", "128", "256"}},
-            {"abuffer.resolution", {"256", "512", "1024", "2048"}}}}};
+// Methods with settings to tune. The default one comes first: it is what the others have to beat.
+std::vector<MethodInfo> tunedMethods() {
+  std::vector<MethodInfo> tuned;
+  for (const MethodInfo& method : methods())
+    if (!method.knobs.empty()) tuned.push_back(method);
+  const std::string standard = TraceSettings().method;
+  std::stable_partition(tuned.begin(), tuned.end(), [&](const MethodInfo& m) { return m.name == standard; });
+  return tuned;
 }
 
-// One value for each axis.
+// One value per knob.
 using Values = std::vector<std::string>;
 
-std::vector<Values> combinations(std::span<const Axis> axes) {
+std::vector<Values> combinations(std::span<const Knob> knobs) {
   std::vector<Values> all = {{}};
-  for (const Axis& axis : axes) {
+  for (const Knob& knob : knobs) {
     std::vector<Values> longer;
     for (const Values& start : all)
-      for (const std::string& value : axis.values) {
+      for (const std::string& value : knob.values) {
         longer.push_back(start);
         longer.back().push_back(value);
       }
@@ -44,14 +36,18 @@ std::vector<Values> combinations(std::span<const Axis> axes) {
   return all;
 }
 
-Settings familySettings(const ViewRequest& request, const Family& family) {
+// What is drawn is the request's, the structure that of the method's own preset.
+Settings startOf(const MethodInfo& method, const ViewRequest& request) {
   Settings settings = baseSettings(request);
-  const Settings defaults;
-  settings.voxels = defaults.voxels;
-  settings.abuffer = defaults.abuffer;
-  settings.search = defaults.search;
-  settings.trace.method = defaults.trace.method;
-  applyPreset(settings, family.preset);
+  const std::vector<SettingInfo> defaults = describe(Settings());
+  for (const MethodInfo& each : methods())
+    for (const std::string& name : each.settings) {
+      const auto value =
+          std::find_if(defaults.begin(), defaults.end(), [&](const SettingInfo& s) { return s.name == name; });
+      if (!name.starts_with("trace.")) set(settings, name, value->value);
+    }
+  settings.trace.method = TraceSettings().method;
+  applyPreset(settings, method.preset);
   return settings;
 }
 
@@ -67,19 +63,20 @@ std::string Candidate::text() const {
 std::vector<Ladder> tuneLadders(const ViewRequest& request) {
   std::vector<Ladder> ladders;
   std::vector<Settings> known;
-  for (const Family& family : families()) {
-    const Settings start = familySettings(request, family);
+  for (const MethodInfo& method : tunedMethods()) {
+    const Settings start = startOf(method, request);
     std::vector<std::string> names;
-    for (const Axis& axis : family.axes) names.push_back(axis.name);
-    const std::span<const Axis> axes(family.axes);
-    for (const Values& fixed : combinations(axes.first(axes.size() - 1))) {
+    for (const Knob& knob : method.knobs) names.push_back(knob.setting);
+    const std::span<const Knob> knobs(method.knobs);
+    // The last knob is climbed, the others make a ladder each.
+    for (const Values& fixed : combinations(knobs.first(knobs.size() - 1))) {
       Ladder ladder;
-      for (const std::string& last : axes.back().values) {
-        Candidate candidate{family.preset, names, start};
+      for (const std::string& last : knobs.back().values) {
+        Candidate candidate{method.preset, names, start};
         for (std::size_t i = 0; i < fixed.size(); ++i) set(candidate.settings, names[i], fixed[i]);
         set(candidate.settings, names.back(), last);
         applyOverrides(candidate.settings, request);
-        // Another method than its family's would be tuned by settings that it does not know.
+        // Another method than this one would be tuned by settings that it does not know.
         if (candidate.settings.trace.method != start.trace.method) continue;
         if (std::find(known.begin(), known.end(), candidate.settings) != known.end()) continue;
         known.push_back(candidate.settings);
@@ -89,8 +86,18 @@ std::vector<Ladder> tuneLadders(const ViewRequest& request) {
     }
   }
   if (ladders.empty())
-    throw Error(ErrorKind::usage, "--set trace.method: only the methods identity and attributes have settings to tune");
+    throw Error(ErrorKind::usage, "--set trace.method: these methods have settings to tune: " + tunedSettings());
   return ladders;
+}
+
+std::string tunedSettings() {
+  std::string text;
+  for (const MethodInfo& method : tunedMethods()) {
+    std::string names;
+    for (const Knob& knob : method.knobs) names += (names.empty() ? "" : ", ") + knob.setting;
+    text += (text.empty() ? "" : ", ") + method.name + " (" + names + ")";
+  }
+  return text;
 }
 
 }  // namespace halfsilver

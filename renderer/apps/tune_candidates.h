@@ -21,10 +21,12 @@ struct Candidate {
 // Candidates that differ in one setting, which grows: each needs more memory than the one before.
 using Ladder = std::vector<Candidate>;
 
-// The identity method over voxels a triangle, and the attribute method over steps, voxels and texels. What is drawn
-// comes from the request's preset or file, the structure (voxels, abuffer, search, trace.method) from the method's own
-// preset; what the request names by --set stays as it is, and equal candidates are one. Throws Error: usage where
-// nothing is left to try, or as the settings themselves do.
+// Every method of the table over its knobs. What is drawn comes from the request's preset or file, the structure (what
+// methods read, and trace.method) from the method's own preset; what the request names by --set stays as it is, and
+// equal candidates are one. Throws Error: usage if nothing is left to try, or as the settings themselves do.
 std::vector<Ladder> tuneLadders(const ViewRequest& request);
+
+// "identity (voxels.per_triangle), attributes (search.steps, ...)": what is varied of each method.
+std::string tunedSettings();
 
 }  // namespace halfsilver

@@ -101,7 +101,7 @@ shared::FrameConstants makeFrameConstants(const Camera& camera, const Bounds& bo
   frame.selectPattern = static_cast<std::uint32_t>(settings.select.pattern);
   frame.minContribution = settings.select.minContribution;
   static_assert(FILL_SKY == static_cast<int>(Fill::sky) && FILL_NEIGHBORS == static_cast<int>(Fill::neighbours));
-  const bool traces = settings.select.mode != SelectMode::none && settings.trace.method != Method::none;
+  const bool traces = settings.select.mode != SelectMode::none && settings.trace.method != "none";
   frame.fill = traces ? static_cast<std::uint32_t>(settings.select.fill) : FILL_SKY;
   frame.bounces = static_cast<std::uint32_t>(settings.trace.bounces);
   return frame;

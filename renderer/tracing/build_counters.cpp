@@ -1,23 +1,23 @@
 #include "tracing/build_counters.h"
 
-#include <vector>
+#include <array>
 
-#include "shared/bindings.h"
+#include "shared/passes/build_counters.h"
 #include "shared/tracing.h"
 
 namespace halfsilver {
 
 BuildCounters::BuildCounters(const gl::Api& api)
-    : api_(&api), counters_(api, COUNTER_SLOTS * COUNTER_KINDS * sizeof(GLuint), "build counters") {
+    : api_(&api), counters_(api, COUNTER_SLOTS * COUNTER_KINDS * sizeof(GLuint), "build counters"), read_(api) {
   clear();
 }
 
 void BuildCounters::bind() const { counters_.bindStorage(SSBO_COUNTERS); }
 
-std::uint64_t BuildCounters::sum(std::uint32_t kind) const {
+std::uint64_t BuildCounters::sum(std::uint32_t kind) {
   // Counts (shaders) are read by the host.
   api_->MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-  return sumOfCounter(counters_.read<GLuint>(COUNTER_SLOTS * COUNTER_KINDS), kind);
+  return sumOfCounter(read_.read<std::array<GLuint, COUNTER_SLOTS * COUNTER_KINDS>>(counters_), kind);
 }
 
 std::uint64_t sumOfCounter(std::span<const std::uint32_t> counters, std::uint32_t kind) {

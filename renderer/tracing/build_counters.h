@@ -4,11 +4,12 @@
 #include <span>
 
 #include <halfsilver/gl/buffer.h>
+#include <halfsilver/gl/readback.h>
 #include <halfsilver/tracer.h>
 
 namespace halfsilver {
 
-// Counts of a build, spread over slots to spare the atomics; see shaders/tracing/counters.glsl for the kinds.
+// Counts of a build, spread over slots so that atomics collide less; see shaders/shared/tracing.h for the kinds.
 class BuildCounters {
  public:
   explicit BuildCounters(const gl::Api& api);
@@ -19,7 +20,7 @@ class BuildCounters {
   void bind() const;  // SSBO_COUNTERS
 
   // One kind, summed over its slots. Waits for the GPU.
-  std::uint64_t sum(std::uint32_t kind) const;
+  std::uint64_t sum(std::uint32_t kind);
 
   const gl::Buffer& buffer() const { return counters_; }
   std::uint64_t bytes() const { return counters_.bytes(); }
@@ -27,6 +28,7 @@ class BuildCounters {
  private:
   const gl::Api* api_;
   gl::Buffer counters_;
+  gl::BlockingRead read_;
 };
 
 // One kind of a copy of the counters, summed over its slots.

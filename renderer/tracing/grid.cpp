@@ -14,15 +14,15 @@ Grid makeGrid(const Bounds& bounds, int voxels, int texels) {
   return grid;
 }
 
-Grid makeCubicGrid(const Bounds& bounds, int most, double wanted) {
-  Grid grid = makeGrid(bounds, most, most);
+Grid makeCubicGrid(const Bounds& bounds, int max, double wanted) {
+  Grid grid = makeGrid(bounds, max, max);
   const glm::vec3 shape = grid.extent / glm::max(grid.extent.x, glm::max(grid.extent.y, grid.extent.z));
   const auto along = [&](int longest) {
     return glm::clamp(glm::ivec3(glm::ceil(static_cast<float>(longest) * shape)), 1, longest);
   };
   // The coarsest grid with enough voxels: the count grows with the side.
-  int low = wanted > 0 ? 1 : most;
-  for (int high = most; low < high;) {
+  int low = wanted > 0 ? 1 : max;
+  for (int high = max; low < high;) {
     const int middle = (low + high) / 2;
     grid.voxels = along(middle);
     if (static_cast<double>(grid.voxelCount()) < wanted)

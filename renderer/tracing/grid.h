@@ -13,7 +13,7 @@ struct Grid {
   glm::vec3 low{0};     // relative to Scene::origin
   glm::vec3 extent{1};  // metres
   glm::ivec3 voxels{1};
-  int texels = 1;  // of the A-buffers, along each axis, where they have a raster of their own
+  int texels = 1;  // of the A-buffers, along each axis, if they have a raster of their own
 
   int longestSide() const { return glm::max(voxels.x, glm::max(voxels.y, voxels.z)); }
   std::size_t voxelCount() const {
@@ -30,8 +30,8 @@ struct Grid {
 // The same number of voxels along every axis, which so follow the scene's shape, as the papers have it. The padding
 // keeps every surface clear of the border, flat scenes included.
 Grid makeGrid(const Bounds& bounds, int voxels, int texels);
-// Voxels of about equal sides, since scenes are not cubes: `wanted` of them in all, but at most `most` along an axis.
-// Without a wish (0) there are `most` along the longest.
-Grid makeCubicGrid(const Bounds& bounds, int most, double wanted);
+// Voxels of about equal sides, since scenes are not cubes: `wanted` of them in all, but at most `max` along an axis. If
+// `wanted` is 0, there are `max` along the longest.
+Grid makeCubicGrid(const Bounds& bounds, int max, double wanted);
 
 }  // namespace halfsilver

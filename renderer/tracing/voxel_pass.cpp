@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "shared/passes/voxelize.h"
 #include "shared/tracing.h"
 #include "tracing/raster.h"
 
@@ -21,14 +22,20 @@ std::size_t Voxels::bytes() const {
   return words.bytes() + normalSums[0].bytes() + normalSums[1].bytes() + normalSums[2].bytes();
 }
 
+void Voxels::bind() const {
+  words.bindStorage(SSBO_VOXELS);
+  for (GLuint i = 0; i < 3; ++i)
+    if (normalSums[i]) normalSums[i].bindStorage(SSBO_NORMAL_X + i);
+}
+
 VoxelPass::VoxelPass(const gl::Api& api, VoxelRaster raster, AxisRule axis)
     : api_(&api),
       raster_(raster),
       axis_(axis),
-      rasterize_(
-          gl::Program::raster(api, "tracing/voxelize.vert", "tracing/voxelize.frag", rasterDefines(raster, axis))),
+      rasterize_(gl::Program::raster(api, "tracing/common/voxelize.vert", "tracing/common/voxelize.frag",
+                                     rasterDefines(raster, axis))),
       vertexArray_(api) {
-  if (axis != AxisRule::own) chooseAxis_ = gl::Program::compute(api, "tracing/voxel_axis.comp");
+  if (axis != AxisRule::own) chooseAxis_ = gl::Program::compute(api, "tracing/common/voxel_axis.comp");
 }
 
 void VoxelPass::run(const FrameView& view, const Grid& grid, Voxels& out) const {
@@ -36,13 +43,11 @@ void VoxelPass::run(const FrameView& view, const Grid& grid, Voxels& out) const 
   const std::size_t words = (grid.voxelCount() + VOXELS_PER_WORD - 1) / VOXELS_PER_WORD;
   if (out.words.bytes() != words * sizeof(GLuint)) out.words = gl::Buffer(*api_, words * sizeof(GLuint), "voxel grid");
   out.words.fill(0);
-  out.words.bindStorage(SSBO_VOXELS);
   if (axis_ != AxisRule::own) {
     const std::size_t bytes = words * VOXELS_PER_WORD * sizeof(GLint);
     for (GLuint i = 0; i < 3; ++i) {
       if (out.normalSums[i].bytes() != bytes) out.normalSums[i] = gl::Buffer(*api_, bytes, "sum of normals");
       out.normalSums[i].fill(0);
-      out.normalSums[i].bindStorage(SSBO_NORMAL_X + i);
     }
   }
   // Clears of buffers come before the fragments' atomics.
@@ -57,6 +62,7 @@ void VoxelPass::run(const FrameView& view, const Grid& grid, Voxels& out) const 
   rasterize_.set("rasterResolution", resolution);
   rasterize_.set("absoluteNormals", axis_ == AxisRule::area ? 1 : 0);
   view.scene.bindTriangles();
+  out.bind();
   rasterizeScene(*api_, rasterize_, vertexArray_, view.scene,
                  {.resolution = resolution,
                   .projections = allProjections ? 3 : 1,
@@ -67,6 +73,7 @@ void VoxelPass::run(const FrameView& view, const Grid& grid, Voxels& out) const 
 
   grid.apply(chooseAxis_);
   chooseAxis_.set("wordCount", static_cast<GLuint>(words));
+  out.bind();
   dispatchFor(*api_, chooseAxis_, words);
   // The axes (compute) are read by the build and the trace.
   api_->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);

@@ -8,12 +8,13 @@
 
 namespace halfsilver {
 
-// The coarse grid: occupied or not, and in which A-buffers a voxel's fragments are. Eight voxels a word.
+// The coarse grid: occupied or not, and in which A-buffers a voxel's fragments are. Eight voxels per word.
 struct Voxels {
   gl::Buffer words;
   gl::Buffer normalSums[3];  // while the dominant axis is chosen from sums of normals; empty for AxisRule::own
 
   std::size_t bytes() const;
+  void bind() const;  // SSBO_VOXELS, SSBO_NORMAL_X to Z
 };
 
 // Rasterizes the scene into the grid and chooses the dominant axes; see VoxelRaster and AxisRule.

@@ -127,22 +127,6 @@ struct RayCount {
   uint padding;
 };
 
-// A build of bricks: an indirect draw of the triangles for it, then counts.
-struct ListBuild {
-  uint vertexCount;
-  uint instanceCount;
-  uint firstVertex;
-  uint firstInstance;
-  uint requested;     // bricks that rays wait for
-  uint total;         // the last prefix sum
-  uint headers;       // words before the entries, of the runs that are built
-  uint longest;       // words of the longest of them
-  uint stale;         // words of runs that were given up
-  uint staleHeaders;  // of these, before the entries
-  uint padding0;
-  uint padding1;
-};
-
 // Result of one ray (16 bytes). t in metres along the unit direction; triangle is NO_TRIANGLE unless it hit.
 struct Hit {
   float t;

@@ -40,9 +40,12 @@ HitErrors compareHits(const Frame& frame, const Frame& exact, float diagonal) {
   return errors;
 }
 
+std::vector<Method> RenderTest::methods(const Scene& scene) const {
+  return {{methodInfo("exact"), makeExactTracerFactory(scene, 2)}};
+}
+
 Renderer RenderTest::makeRenderer(const Scene& scene) {
-  Renderer renderer([this](const char* name) { return context.getProcAddress()(name); },
-                    makeExactTracerFactory(scene, 2));
+  Renderer renderer([this](const char* name) { return context.getProcAddress()(name); }, methods(scene));
   renderer.setScene(scene);
   return renderer;
 }

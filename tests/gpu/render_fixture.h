@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include <halfsilver/exact.h>
 #include <halfsilver/image.h>
@@ -33,6 +34,9 @@ class RenderTest : public ContextTest {
   Frame draw(const Scene& scene, const Camera& camera, const Settings& settings, int width, int height);
   // Exactly one frame after the scene was set.
   Frame drawOnce(const Scene& scene, const Camera& camera, const Settings& settings, int width, int height);
+
+  // What the renderer is given besides the table of methods: exact rays.
+  virtual std::vector<Method> methods(const Scene& scene) const;
 
   // For sequences of frames: a renderer that holds the scene (which outlives it), and its next frame.
   Renderer makeRenderer(const Scene& scene);

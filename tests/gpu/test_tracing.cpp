@@ -1,9 +1,10 @@
-// Known answers and invariants of the tracers, through the public renderer. One contract test runs over all methods.
+// Known answers and invariants of the tracers, through the public renderer.
 #include <cmath>
 #include <set>
 #include <string>
 
 #include <halfsilver/io.h>
+#include <halfsilver/tracer.h>
 #include "gpu/shader_function.h"
 #include "gpu/tracing_scenes.h"
 
@@ -130,100 +131,32 @@ TEST_F(TracingTest, NoRaySlipsThroughSharedEdges) {
   EXPECT_EQ(traced, 64 * 64);
 }
 
-struct MethodCase {
-  const char* name;
-  const char* preset;
-  std::vector<std::pair<const char*, const char*>> settings;
-  double worstHitError;  // on soup(600); the papers' methods: a third above what was measured
-
-  friend std::ostream& operator<<(std::ostream& out, const MethodCase& method) { return out << method.name; }
-};
-
-const MethodCase kMethods[] = {
-    {"identity", "halfsilver", {}, 0},
-    {"exact", "reference", {}, 0},
-    {"kastrati2017", "kastrati2017", {{"abuffer.resolution", "256"}}, 0.113},
-    {"kastrati_full",
-     "kastrati2017",
-     {{"voxels.raster", "abuffer"}, {"search.steps", "0"}, {"abuffer.resolution", "256"}},
-     0.063},
-    {"hu2014", "hu2014", {{"select.mode", "reflective"}, {"abuffer.resolution", "256"}}, 0.048},
-    {"hu_full", "hu2014", {{"select.mode", "reflective"}, {"search.steps", "0"}, {"abuffer.resolution", "256"}}, 0.064},
-};
-
-class MethodTest : public TracingTest, public ::testing::WithParamInterface<MethodCase> {
- protected:
-  static Settings settings(std::initializer_list<std::pair<const char*, const char*>> more = {}) {
-    Settings result = settingsWith({});
-    applyPreset(result, GetParam().preset);
-    for (const auto& [name, value] : GetParam().settings) set(result, name, value);
-    for (const auto& [name, value] : more) set(result, name, value);
-    return result;
-  }
-};
-
-// What every method owes: an answer to each selected ray, none to the others, near the truth, the same every time.
-TEST_P(MethodTest, KeepsTheContract) {
-  const Scene scene = soup(600);
-  const Frame exact = draw(scene, kAbove, settingsWith({{"trace.method", "exact"}}), 80, 60);
-  const Frame frame = draw(scene, kAbove, settings(), 80, 60);
-  const HitErrors errors = compareHits(frame, exact, scene.bounds().diagonal());
-  expectNontrivial(errors, exact);
-  EXPECT_LE(errors.hitError, GetParam().worstHitError);
-  RecordProperty("hit_error", std::to_string(errors.hitError));
-  const std::vector<float> t = frame.plane("hit.T"), id = frame.plane("hit.id"), selected = frame.plane("selected.Y");
-  std::size_t rays = 0;
-  for (std::size_t i = 0; i < t.size(); ++i) {
-    EXPECT_TRUE(std::isfinite(t[i]));
-    EXPECT_EQ(selected[i] == 0, t[i] == -2.0f);
-    EXPECT_EQ(t[i] >= 0, id[i] >= 0);
-    if (t[i] >= 0) {
-      EXPECT_LT(id[i], static_cast<float>(scene.triangles.size()));
+// A setting that the method's tracer is not made from keeps it and what it has built.
+TEST_F(TracingTest, SettingsThatNoStructureDependsOnKeepTheTracer) {
+  const Scene scene = soup(100);
+  for (const char* method : {"identity", "attributes"}) {
+    int made = 0;
+    Renderer renderer([this](const char* name) { return context.getProcAddress()(name); },
+                      std::vector<Method>{{methodInfo(method), [&made](const gl::Api& table, const Settings& settings) {
+                                             ++made;
+                                             return makeTracer(table, settings, {});
+                                           }}});
+    renderer.setScene(scene);
+    Settings settings = settingsWith({{"trace.method", method}, {"abuffer.resolution", "64"}});
+    drawWith(renderer, kAbove, settings, 32, 24);
+    for (const auto& [name, value] :
+         {std::pair("trace.bounces", "2"), std::pair("scene.cull_back_faces", "false"), std::pair("select.mode", "all"),
+          std::pair("select.fraction", "0.5"), std::pair("image.exposure", "1"), std::pair("shadow.resolution", "32"),
+          method == std::string("identity") ? std::pair("search.steps", "7") : std::pair("voxels.per_triangle", "2")}) {
+      set(settings, name, value);
+      drawWith(renderer, kAbove, settings, 32, 24);
+      EXPECT_EQ(made, 1) << method << " " << name;
     }
-    rays += selected[i] != 0 ? 1u : 0u;
+    set(settings, "voxels.resolution", "8");
+    drawWith(renderer, kAbove, settings, 32, 24);
+    EXPECT_EQ(made, 2) << method;
   }
-  EXPECT_EQ(rays, frame.report.selected);
-  EXPECT_EQ(frame.report.overflow, 0u);
-  for (const float value : frame.layers.data) ASSERT_TRUE(std::isfinite(value));
-
-  const Frame again = draw(scene, kAbove, settings(), 80, 60);
-  EXPECT_EQ(frame.layers.data, again.layers.data);
 }
-
-TEST_P(MethodTest, NoSelectedPixelNoRay) {
-  const Scene scene = soup(50);
-  const Frame frame = draw(scene, kAbove, settings({{"select.fraction", "0"}}), 40, 30);
-  EXPECT_EQ(frame.report.selected, 0u);
-  for (const float t : frame.plane("hit.T")) ASSERT_EQ(t, -2.0f);
-}
-
-TEST_P(MethodTest, FragmentsEqualCompute) {
-  if (GetParam().name == std::string("exact")) GTEST_SKIP() << "the exact tracer has no shader stage";
-  const Scene scene = soup(300);
-  const Frame compute = draw(scene, kAbove, settings(), 64, 48);
-  const Frame fragment = draw(scene, kAbove, settings({{"trace.stage", "fragment"}}), 64, 48);
-  EXPECT_GT(compute.report.selected, 300u);
-  EXPECT_EQ(compute.layers.data, fragment.layers.data);
-}
-
-TEST_P(MethodTest, BouncesBetweenMirrors) {
-  Scene scene;
-  scene.materials = {mirrorMaterial(), mirrorMaterial(), plain({1, 0, 0})};
-  scene.materials[2].emissive = {1, 0, 0};
-  // Two mirrors face each other under a glowing ceiling, which more paths reach with more bounces.
-  addQuad(scene, {-9, 2.5f, -9}, {9, 2.5f, -9}, {9, 2.5f, 9}, {-9, 2.5f, 9}, 2);
-  addQuad(scene, {-2, -2, -2}, {2, -2, -2}, {2, 2, -2}, {-2, 2, -2}, 0);
-  addQuad(scene, {2, -2, 2}, {-2, -2, 2}, {-2, 2, 2}, {2, 2, 2}, 1);
-  const Camera camera = lookAt({0, 0, 0}, {0, 0, -1});
-  const Frame one = draw(scene, camera, settings({{"trace.bounces", "1"}}), 32, 24);
-  const Frame three = draw(scene, camera, settings({{"trace.bounces", "3"}}), 32, 24);
-  EXPECT_GT(one.report.selected, 100u);
-  EXPECT_EQ(one.plane("hit.T"), three.plane("hit.T"));
-  EXPECT_NE(one.plane("reflection.B"), three.plane("reflection.B"));
-}
-
-INSTANTIATE_TEST_SUITE_P(AllMethods, MethodTest, ::testing::ValuesIn(kMethods),
-                         [](const auto& method) { return std::string(method.param.name); });
 
 // Every fragment stored once, in the axis of its triangle: a floor has exactly one fragment a texel that it covers.
 TEST_F(TracingTest, FragmentsOfAFloorAreCountedExactly) {

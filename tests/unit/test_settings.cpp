@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <halfsilver/error.h>
+#include <halfsilver/methods.h>
 #include <halfsilver/settings.h>
 
 namespace halfsilver {
@@ -48,6 +49,41 @@ TEST(Settings, EveryNameIsUniqueAndExplained) {
   }
   std::sort(names.begin(), names.end());
   EXPECT_EQ(std::adjacent_find(names.begin(), names.end()), names.end());
+}
+
+// Settings learn of methods from the table, and the table speaks of settings that exist.
+TEST(Settings, MethodsAreThoseOfTheTable) {
+  std::vector<std::string> names;
+  const std::vector<SettingInfo> infos = describe({});
+  for (const MethodInfo& method : methods()) {
+    names.push_back(method.name);
+    EXPECT_EQ(methodInfo(method.name).help, method.help);
+    EXPECT_FALSE(method.help.empty()) << method.name;
+    for (const std::string& name : method.settings) EXPECT_NO_THROW(find(infos, name)) << method.name;
+    for (const Knob& knob : method.knobs) {
+      EXPECT_EQ(std::count(method.settings.begin(), method.settings.end(), knob.setting), 1) << knob.setting;
+      for (const std::string& value : knob.values) {
+        Settings settings;
+        EXPECT_NO_THROW(set(settings, knob.setting, value)) << knob.setting;
+      }
+    }
+    EXPECT_EQ(method.preset.empty(), method.knobs.empty()) << method.name;
+  }
+  EXPECT_EQ(names, (std::vector<std::string>{"none", "attributes", "identity", "exact", "auto"}));
+  EXPECT_EQ(find(infos, "trace.method").choices, names);
+  EXPECT_THROW(methodInfo("identities"), Error);
+}
+
+// The order of the command line, of files and of statistics.
+TEST(Settings, AreInTheirFixedOrder) {
+  std::vector<std::string> names;
+  for (const SettingInfo& info : describe({}))
+    if (info.name.starts_with("voxels.") || info.name.starts_with("abuffer.") || info.name.starts_with("search."))
+      names.push_back(info.name);
+  EXPECT_EQ(names,
+            (std::vector<std::string>{"voxels.resolution", "voxels.per_triangle", "voxels.raster", "voxels.axis",
+                                      "abuffer.resolution", "abuffer.keep", "abuffer.page_size", "abuffer.buffers",
+                                      "abuffer.lists", "abuffer.sorted", "search.steps", "search.refinements"}));
 }
 
 // Takes the default of every setting back in, and both ends of its range, and every choice.

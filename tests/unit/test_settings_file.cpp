@@ -32,12 +32,12 @@ TEST(SettingsFile, SetsWhatItNamesAndNothingElse) {
                     "a.toml");
   EXPECT_EQ(settings.select.mode, SelectMode::all);
   EXPECT_EQ(settings.voxels.resolution, 32);
-  EXPECT_TRUE(settings.abuffer.sorted);
+  EXPECT_TRUE(settings.attributes.sorted);
   EXPECT_FLOAT_EQ(settings.image.exposure, -1.5f);
   Settings expected;
   expected.select.mode = SelectMode::all;
   expected.voxels.resolution = 32;
-  expected.abuffer.sorted = true;
+  expected.attributes.sorted = true;
   expected.image.exposure = -1.5f;
   const auto values = describe(settings), wanted = describe(expected);
   for (std::size_t i = 0; i < values.size(); ++i) EXPECT_EQ(values[i].value, wanted[i].value) << values[i].name;
@@ -71,7 +71,7 @@ TEST(SettingsFile, TextOfSettingsReadsBackAsThem) {
 TEST(SettingsFile, TextOfSettingsNamesWhatItMust) {
   Settings settings;
   settings.select.mode = SelectMode::all;
-  settings.voxels.perTriangle = 2.5f;
+  settings.identity.voxelsPerTriangle = 2.5f;
   const std::string always[] = {"trace.method", "voxels.resolution"};
   EXPECT_EQ(settingsText(settings, always),
             "[select]\nmode = \"all\"\n\n[voxels]\nresolution = 512\nper_triangle = 2.5\n\n[trace]\nmethod = "
@@ -110,7 +110,7 @@ TEST(SettingsFile, ReadsFiles) {
   Settings settings;
   applySettingsFile(settings, folder / "a.toml");
   applySettingsFile(settings, folder / "empty.toml");
-  EXPECT_EQ(settings.search.steps, 3);
+  EXPECT_EQ(settings.attributes.steps, 3);
   EXPECT_THROW(applySettingsFile(settings, folder / "missing.toml"), Error);
   EXPECT_THROW(applySettingsFile(settings, folder.path()), Error);
 }
@@ -140,20 +140,20 @@ TEST(Presets, AreThePublishedSystemsAndHoldNoDefaults) {
 TEST(Presets, ApplyByName) {
   Settings settings;
   applyPreset(settings, "kastrati2017");
-  EXPECT_EQ(settings.trace.method, Method::attributes);
+  EXPECT_EQ(settings.trace.method, "attributes");
   EXPECT_EQ(settings.select.mode, SelectMode::reflective);
-  EXPECT_EQ(settings.abuffer.buffers, Buffers::single);
-  EXPECT_EQ(settings.abuffer.lists, Lists::pages);
-  EXPECT_EQ(settings.abuffer.pageSize, 4);
+  EXPECT_EQ(settings.attributes.buffers, Buffers::single);
+  EXPECT_EQ(settings.attributes.lists, Lists::pages);
+  EXPECT_EQ(settings.attributes.pageSize, 4);
   EXPECT_EQ(settings.abuffer.resolution, 1024);
   EXPECT_EQ(settings.voxels.resolution, 64);
-  EXPECT_EQ(settings.search.steps, 3);
+  EXPECT_EQ(settings.attributes.steps, 3);
   settings = {};
   applyPreset(settings, "hu2014");
   EXPECT_EQ(settings.select.mode, SelectMode::all);
-  EXPECT_EQ(settings.abuffer.buffers, Buffers::three);
-  EXPECT_EQ(settings.abuffer.lists, Lists::linked);
-  EXPECT_TRUE(settings.abuffer.sorted);
+  EXPECT_EQ(settings.attributes.buffers, Buffers::three);
+  EXPECT_EQ(settings.attributes.lists, Lists::linked);
+  EXPECT_TRUE(settings.attributes.sorted);
   try {
     applyPreset(settings, "nosuch");
     FAIL() << "accepted";

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <halfsilver/image.h>
+#include <halfsilver/methods.h>
 #include <halfsilver/model.h>
 #include <halfsilver/scene.h>
 #include <halfsilver/scene_change.h>
@@ -16,12 +17,6 @@
 
 // The public class. Everything here throws halfsilver::Error and nothing else on purpose.
 namespace halfsilver {
-
-class Tracer;
-namespace gl {
-struct Api;
-}
-using TracerFactory = std::function<std::unique_ptr<Tracer>(const gl::Api&, const Settings&)>;
 
 // A rectangle of a framebuffer that the caller owns (0: the default framebuffer). Row 0 is the bottom, as in GL.
 struct Target {
@@ -69,9 +64,11 @@ struct DeviceInfo {
 class Renderer {
  public:
   using Proc = void (*)();
-  // `getProcAddress` is the context's. `exact` enables Method::exact (see halfsilver::exact).
+  // `getProcAddress` is the context's. `exact` makes the tracer of trace.method=exact (see halfsilver::exact).
   // Throws Error (noContext) naming what the context lacks.
   explicit Renderer(const std::function<Proc(const char*)>& getProcAddress, TracerFactory exact = {});
+  // With methods of the caller's own; one with the name of a method of the library takes its place.
+  Renderer(const std::function<Proc(const char*)>& getProcAddress, std::vector<Method> methods);
   ~Renderer();
   Renderer(Renderer&&) noexcept;
   Renderer& operator=(Renderer&&) noexcept;

@@ -1,13 +1,16 @@
 #pragma once
 
-#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include <halfsilver/methods/attributes.h>
+#include <halfsilver/methods/identity.h>
+
 // Every setting of the renderer, with its unit, range and default. Defaults live here and nowhere else; a preset in
-// config/ names only what it changes. Settings are read and written by name ("voxels.resolution") through the one
-// table in settings.cpp, which the command line, the configuration files and the statistics share.
+// config/ names only what it changes. Those of one method are in methods/. Settings are read and written by name
+// ("voxels.resolution") through the one table in settings.cpp, which the command line, the configuration files and the
+// statistics share.
 namespace halfsilver {
 
 enum class SelectMode { none, reflective, all };
@@ -28,15 +31,6 @@ enum class AxisRule {
   normal,  // dominant component of the sum of signed normals (Kastrati & Goswami 2017)
   area,    // dominant component of the sum of absolute normals
   own      // each triangle in its own dominant axis; a voxel keeps a mask of the axes it holds
-};
-enum class Buffers { single, three };
-enum class Lists { pages, linked };
-enum class Method {
-  none,        // no tracing
-  attributes,  // A-buffer fragments with all surface attributes (Hu et al. 2014; Kastrati & Goswami 2017)
-  identity,    // A-buffer fragments that name their triangle; exact ray/triangle test
-  exact,       // CPU ray tracing through the caller's exact tracer (halfsilver::exact)
-  automatic    // identity on a GPU; exact on a software rasterizer where the caller has it
 };
 enum class TraceStage { compute, fragment };
 enum class ToneMap { filmic, none };
@@ -63,8 +57,7 @@ struct SelectSettings {
 };
 
 struct VoxelSettings {
-  int resolution = 512;    // voxels along each axis, 1..512; identity: along the longest, at most, by fours
-  float perTriangle = 16;  // 0..1000, voxels for each triangle of the scene; 0: `resolution` as it is (identity only)
+  int resolution = 512;  // voxels along each axis, 1..512; identity: along the longest, at most, in multiples of four
   VoxelRaster raster = VoxelRaster::conservative;
   AxisRule axis = AxisRule::own;
 
@@ -73,25 +66,13 @@ struct VoxelSettings {
 
 struct ABufferSettings {
   int resolution = 128;  // texels along each axis, 1..4096; identity fragments lie in texels of a voxel's size
-  bool keep = true;      // what is built stays while the geometry does; false: again in every frame (identity only)
-  int pageSize = 4;      // entries a page, 1..64
-  Buffers buffers = Buffers::single;
-  Lists lists = Lists::pages;
-  bool sorted = false;  // entries of a texel sorted by depth after the build
 
   bool operator==(const ABufferSettings&) const = default;
 };
 
-struct SearchSettings {
-  int steps = 0;        // linear steps in a voxel, 0..64; 0: full 2D-DDA
-  int refinements = 6;  // binary search steps after a crossing, 0..32
-
-  bool operator==(const SearchSettings&) const = default;
-};
-
 struct TraceSettings {
-  Method method = Method::identity;
-  int bounces = 1;  // 1..16
+  std::string method = "identity";  // a name of methods(), see methods.h
+  int bounces = 1;                  // 1..16
   TraceStage stage = TraceStage::compute;
 
   bool operator==(const TraceSettings&) const = default;
@@ -116,7 +97,8 @@ struct Settings {
   SelectSettings select;
   VoxelSettings voxels;
   ABufferSettings abuffer;
-  SearchSettings search;
+  IdentitySettings identity;
+  AttributeSettings attributes;
   TraceSettings trace;
   ShadowSettings shadow;
   ImageSettings image;

@@ -87,18 +87,6 @@ HALFSILVER_AT(RayCount, unfinished, 20);
 HALFSILVER_AT(RayCount, overflow, 24);
 static_assert(sizeof(RayCount) == 32);
 
-HALFSILVER_AT(ListBuild, vertexCount, 0);
-HALFSILVER_AT(ListBuild, instanceCount, 4);
-HALFSILVER_AT(ListBuild, firstVertex, 8);
-HALFSILVER_AT(ListBuild, firstInstance, 12);
-HALFSILVER_AT(ListBuild, requested, 16);
-HALFSILVER_AT(ListBuild, total, 20);
-HALFSILVER_AT(ListBuild, headers, 24);
-HALFSILVER_AT(ListBuild, longest, 28);
-HALFSILVER_AT(ListBuild, stale, 32);
-HALFSILVER_AT(ListBuild, staleHeaders, 36);
-static_assert(sizeof(ListBuild) == 48);
-
 HALFSILVER_AT(Hit, t, 0);
 HALFSILVER_AT(Hit, triangle, 4);
 HALFSILVER_AT(Hit, u, 8);

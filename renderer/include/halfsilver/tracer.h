@@ -1,12 +1,12 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <glm/glm.hpp>
 #include <memory>
 #include <span>
 
 #include <halfsilver/frame_view.h>
+#include <halfsilver/methods.h>
 #include <halfsilver/scene_change.h>
 #include <halfsilver/settings.h>
 
@@ -34,7 +34,8 @@ struct TracerCounts {
   void (*add)(std::span<const std::uint32_t> counts, TracerMemory& memory) = nullptr;
 };
 
-// A method of tracing rays: one folder under tracing/ each. The interface is all that the rest of the frame knows.
+// A method of tracing rays: one folder under tracing/ each, see README.md there. The interface is all that the rest of
+// the frame knows.
 //
 // Each frame calls update() once, then trace(), occluded() or submit() and collect() as often as there are queues.
 // Every call binds what it reads (see FrameView) and leaves nothing bound that others rely on.
@@ -72,11 +73,12 @@ class Tracer {
   virtual TracerCounts counts() const { return {}; }
 };
 
-// Makes the tracer of one method. A tracer is made again when a setting of its method changes, and only then.
-using TracerFactory = std::function<std::unique_ptr<Tracer>(const gl::Api&, const Settings&)>;
+// The tracer that the settings name; null for "none". Methods that the caller brings (see Renderer) come before those
+// of the table. Throws Error (usage) for a method that nobody can make: "exact" if it is not brought. "auto" is "exact"
+// on a software rasterizer if that is brought, else "identity".
+std::unique_ptr<Tracer> makeTracer(const gl::Api& api, const Settings& settings, std::span<const Method> brought);
 
-// The tracer that the settings name; null for "none". `exact` makes the one of "exact" and may be empty: then asking
-// for it throws Error (usage), and "auto" is "identity".
-std::unique_ptr<Tracer> makeTracer(const gl::Api& api, const Settings& settings, const TracerFactory& exact);
+// Whether makeTracer() makes the same of both settings, so that a tracer and its structure can stay.
+bool sameTracer(const gl::Api& api, const Settings& a, const Settings& b, std::span<const Method> brought);
 
 }  // namespace halfsilver

@@ -4,6 +4,8 @@
 #include <vector>
 
 #include <halfsilver/error.h>
+#include "shared/passes/attributes.h"
+#include "shared/passes/voxelize.h"
 #include "shared/tracing.h"
 #include "tracing/raster.h"
 
@@ -13,33 +15,47 @@ namespace {
 constexpr std::uint64_t kEntryTexels = 2;
 constexpr std::uint64_t kEntryBytes = 16 * kEntryTexels;
 // The entry keeps the triangle's number as a float's value.
-constexpr std::uint32_t kMostTriangles = 1u << 24;
+constexpr std::uint32_t kMaxTriangles = 1u << 24;
 
 // A linked list is a list of pages of one entry.
 int pageSize(const Settings& settings) {
-  return settings.abuffer.lists == Lists::linked ? 1 : settings.abuffer.pageSize;
+  return settings.attributes.lists == Lists::linked ? 1 : settings.attributes.pageSize;
 }
 
 gl::Program buildProgram(const gl::Api& api, const Settings& settings) {
   const std::vector<gl::Define> defines = pageDefines(pageSize(settings));
-  return gl::Program::raster(api, "tracing/attributes_build.vert", "tracing/attributes_build.frag", defines);
+  return gl::Program::raster(api, "tracing/attributes/build.vert", "tracing/attributes/build.frag", defines);
 }
 
 TracePass makeTracePass(const gl::Api& api, const Settings& settings) {
   std::vector<gl::Define> defines = pageDefines(pageSize(settings));
-  defines.push_back({"METHOD_ATTRIBUTES"});
-  defines.push_back({"LINEAR_STEPS", std::to_string(settings.search.steps)});
-  if (settings.abuffer.sorted) defines.push_back({"SORTED"});
-  return TracePass(api, settings.trace.stage, defines);
+  defines.push_back({"LINEAR_STEPS", std::to_string(settings.attributes.steps)});
+  if (settings.attributes.sorted) defines.push_back({"SORTED"});
+  return TracePass(api, settings.trace.stage, "tracing/attributes", defines);
 }
 
 const Settings& checked(const Settings& settings) {
-  if (settings.abuffer.sorted && settings.abuffer.lists != Lists::linked)
+  if (settings.attributes.sorted && settings.attributes.lists != Lists::linked)
     throw Error(ErrorKind::badInput, "setting abuffer.sorted: only linked lists can be sorted (abuffer.lists=linked)");
   return settings;
 }
 
 }  // namespace
+
+Method AttributeTracer::method() {
+  return {
+      {.name = "attributes",
+       .help = "fragments with all surface attributes (Hu et al. 2014; Kastrati & Goswami 2017)",
+       .settings = {"voxels.resolution", "voxels.raster", "voxels.axis", "abuffer.resolution", "abuffer.page_size",
+                    "abuffer.buffers", "abuffer.lists", "abuffer.sorted", "search.steps", "search.refinements",
+                    "trace.stage"},
+       .fixedResolution = true,
+       .preset = "kastrati2017",
+       .knobs = {{"search.steps", {"1", "3", "0"}},
+                 {"voxels.resolution", {"64", "128", "256"}},
+                 {"abuffer.resolution", {"256", "512", "1024", "2048"}}}},
+      [](const gl::Api& api, const Settings& settings) { return std::make_unique<AttributeTracer>(api, settings); }};
+}
 
 AttributeTracer::AttributeTracer(const gl::Api& api, const Settings& settings)
     : api_(&api),
@@ -49,23 +65,23 @@ AttributeTracer::AttributeTracer(const gl::Api& api, const Settings& settings)
       tracePass_(makeTracePass(api, settings)),
       vertexArray_(api),
       pool_(api, pageSize(settings)) {
-  if (settings.abuffer.sorted) sort_ = gl::Program::compute(api, "tracing/attributes_sort.comp", pageDefines(1));
+  if (settings.attributes.sorted) sort_ = gl::Program::compute(api, "tracing/attributes/sort.comp", pageDefines(1));
 }
 
 void AttributeTracer::update(const FrameView& view, const SceneChange&) {
   const GpuScene& scene = view.scene;
-  if (scene.triangleCount > kMostTriangles)
+  if (scene.triangleCount > kMaxTriangles)
     throw Error(ErrorKind::failed, "the scene has " + std::to_string(scene.triangleCount) +
                                        " triangles; fragments with attributes can name " +
-                                       std::to_string(kMostTriangles));
+                                       std::to_string(kMaxTriangles));
   grid_ = makeGrid(scene.bounds, settings_.voxels.resolution, settings_.abuffer.resolution);
   voxelPass_.run(view, grid_, voxels_);
 
   const auto scope = view.profiler.section("build");
-  const bool three = settings_.abuffer.buffers == Buffers::three;
+  const bool three = settings_.attributes.buffers == Buffers::three;
   const auto side = static_cast<std::size_t>(grid_.texels);
-  const auto mostEntries = static_cast<std::uint64_t>(api_->limits.bufferTexels) / kEntryTexels;
-  pool_.begin(3 * side * side, (three ? 4 : 2) * side * side, mostEntries);
+  const auto maxEntries = static_cast<std::uint64_t>(api_->limits.bufferTexels) / kEntryTexels;
+  pool_.begin(3 * side * side, (three ? 4 : 2) * side * side, maxEntries);
   if (entries_.bytes() != pool_.capacity() * kEntryBytes) {
     entries_ = gl::TexelBuffer();  // the old one goes first: both at once might not fit
     entries_ = gl::TexelBuffer(*api_, pool_.capacity() * kEntryTexels, "A-buffer entries");
@@ -79,11 +95,13 @@ void AttributeTracer::update(const FrameView& view, const SceneChange&) {
   build_.set("rasterResolution", grid_.texels);
   build_.set("storeAll", three ? 1 : 0);
   build_.set("texelSize", grid_.texelSize());
-  pool_.bind(build_);
-  voxels_.words.bindStorage(SSBO_VOXELS);
-  entries_.bindImage(IMAGE_POOL, GL_WRITE_ONLY);
+  build_.set("pageCapacity", pool_.pages());
   view.constants.bindUniform(UBO_FRAME);
   scene.bindSurfaces();
+  pool_.counters().bind();
+  voxels_.words.bindStorage(SSBO_VOXELS);
+  pool_.bind();
+  entries_.bindImage(IMAGE_ENTRIES, GL_WRITE_ONLY);
   rasterizeScene(*api_, build_, vertexArray_, scene,
                  {.resolution = grid_.texels, .projections = own ? 1 : 3, .verticesPerTriangle = 3});
   // Entries (image stores), heads and links (fragments) are read by the sort and the trace.
@@ -93,12 +111,13 @@ void AttributeTracer::update(const FrameView& view, const SceneChange&) {
 
 void AttributeTracer::sortLists() {
   const auto heads = static_cast<std::size_t>(pool_.headBytes() / sizeof(GLuint));
-  pool_.bind(sort_);
-  entries_.bindImage(IMAGE_POOL, GL_READ_ONLY);
   sort_.set("headCount", static_cast<GLuint>(heads));
   for (GLuint run = 1; run < (1u << 24); run *= 2) {
     pool_.counters().clear(COUNTER_UNSORTED);
     sort_.set("runLength", run);
+    pool_.counters().bind();
+    pool_.bind();
+    entries_.bindImage(IMAGE_ENTRIES, GL_READ_ONLY);
     dispatchFor(*api_, sort_, heads);
     // Links (this step) are read by the next step and the trace.
     api_->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
@@ -108,11 +127,12 @@ void AttributeTracer::sortLists() {
 
 void AttributeTracer::trace(const FrameView& view, const RayQueue& rays, Hits& hits) {
   grid_.apply(tracePass_.program());
-  tracePass_.program().set("refinements", settings_.search.refinements);
-  pool_.bind(tracePass_.program());
-  voxels_.words.bindStorage(SSBO_VOXELS);
-  entries_.bindImage(IMAGE_POOL, GL_READ_ONLY);
-  tracePass_.run(view, rays, hits);
+  tracePass_.program().set("refinements", settings_.attributes.refinements);
+  tracePass_.run(view, rays, hits, {[this] {
+                   voxels_.words.bindStorage(SSBO_VOXELS);
+                   pool_.bind();
+                   entries_.bindImage(IMAGE_ENTRIES, GL_READ_ONLY);
+                 }});
 }
 
 TracerMemory AttributeTracer::memory() const {

@@ -4,8 +4,8 @@
 #include <halfsilver/tracer.h>
 #include "gl/framebuffer.h"
 #include "gl/texel_buffer.h"
+#include "tracing/attributes/page_pool.h"
 #include "tracing/grid.h"
-#include "tracing/page_pool.h"
 #include "tracing/trace_pass.h"
 #include "tracing/voxel_pass.h"
 
@@ -16,6 +16,8 @@ namespace halfsilver {
 // its voxel's dominant axis (Kastrati & Goswami 2017).
 class AttributeTracer final : public Tracer {
  public:
+  static Method method();  // the row of the table
+
   // Throws Error (badInput) for settings that do not go together.
   AttributeTracer(const gl::Api& api, const Settings& settings);
 

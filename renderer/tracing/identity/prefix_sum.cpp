@@ -2,45 +2,45 @@
 
 #include <algorithm>
 
-#include "shared/bindings.h"
-#include "shared/tracing.h"
+#include "tracing/identity/brick_work.h"
 
 namespace halfsilver {
 namespace {
 
-constexpr std::uint32_t kMostGroups = 65535;
+constexpr std::uint32_t kMaxGroups = 65535;
 
 std::uint32_t blocksOf(std::uint32_t items) { return std::max(1u, (items + SUM_GROUP - 1) / SUM_GROUP); }
 
-gl::Program step(const gl::Api& api, const char* items, const char* number) {
-  const gl::Define defines[] = {{items}, {"STEP", number}};
-  return gl::Program::compute(api, "tracing/prefix_sum.comp", defines);
+gl::Program step(const gl::Api& api, const char* file, const char* number) {
+  const gl::Define defines[] = {{"STEP", number}};
+  return gl::Program::compute(api, file, defines);
 }
 
 }  // namespace
 
-PrefixSum::PrefixSum(const gl::Api& api, const char* items)
-    : api_(&api), sumBlocks_(step(api, items, "0")), sumSums_(step(api, items, "1")), place_(step(api, items, "2")) {}
+PrefixSum::PrefixSum(const gl::Api& api, const char* file)
+    : api_(&api), sumBlocks_(step(api, file, "0")), sumSums_(step(api, file, "1")), place_(step(api, file, "2")) {}
 
-void PrefixSum::sum(std::uint32_t items) {
+void PrefixSum::sum(std::uint32_t items, const BindItems& bind) {
   const std::size_t bytes = blocksOf(items) * sizeof(GLuint);
   if (blocks_.bytes() < bytes) {
     blocks_ = gl::Buffer();
     blocks_ = gl::Buffer(*api_, bytes, "sums of blocks");
   }
-  run(sumBlocks_, items, blocksOf(items));
-  run(sumSums_, items, 1);
+  run(sumBlocks_, items, blocksOf(items), bind);
+  run(sumSums_, items, 1, bind);
 }
 
-void PrefixSum::place(std::uint32_t items) { run(place_, items, blocksOf(items)); }
+void PrefixSum::place(std::uint32_t items, const BindItems& bind) { run(place_, items, blocksOf(items), bind); }
 
-void PrefixSum::run(const gl::Program& program, std::uint32_t items, std::uint32_t groups) {
-  blocks_.bindStorage(SSBO_LINKS);
+void PrefixSum::run(const gl::Program& program, std::uint32_t items, std::uint32_t groups, const BindItems& bind) {
+  blocks_.bindStorage(SSBO_BLOCK_SUMS);
+  bind();
   program.set("itemCount", items);
   program.set("blockCount", blocksOf(items));
   program.use();
-  const std::uint32_t rows = (groups + kMostGroups - 1) / kMostGroups;
-  api_->DispatchCompute(std::min(groups, kMostGroups), rows, 1);
+  const std::uint32_t rows = (groups + kMaxGroups - 1) / kMaxGroups;
+  api_->DispatchCompute(std::min(groups, kMaxGroups), rows, 1);
   // Sums (this step) are read by the next step, by what follows and, the total, by the host.
   api_->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
 }

@@ -1,30 +1,34 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 
 #include <halfsilver/gl/buffer.h>
 #include "gl/program.h"
 
 namespace halfsilver {
 
-// Exclusive prefix sums on the GPU; see shaders/tracing/prefix_sum.comp for what `items` names. The buffers of the
-// items and SSBO_LIST_BUILD are bound by the caller, who orders what wrote them.
+// Exclusive prefix sums on the GPU, see shaders/tracing/identity/prefix_sum.glsl.
 class PrefixSum {
  public:
-  PrefixSum(const gl::Api& api, const char* items);
+  // Binds what the program reads of its items, and SSBO_BRICK_WORK. The caller orders what wrote them.
+  using BindItems = std::function<void()>;
+
+  // `file`: the shader that defines what is summed.
+  PrefixSum(const gl::Api& api, const char* file);
 
   // For the items' own uniforms.
   const gl::Program& placing() const { return place_; }
 
-  // The total goes to ListBuild::total.
-  void sum(std::uint32_t items);
+  // The total goes to BrickWork::totalWords.
+  void sum(std::uint32_t items, const BindItems& bind);
   // Hands each item its sum; after sum() of the same items.
-  void place(std::uint32_t items);
+  void place(std::uint32_t items, const BindItems& bind);
 
   std::uint64_t bytes() const { return blocks_.bytes(); }
 
  private:
-  void run(const gl::Program& program, std::uint32_t items, std::uint32_t groups);
+  void run(const gl::Program& program, std::uint32_t items, std::uint32_t groups, const BindItems& bind);
 
   const gl::Api* api_;
   gl::Program sumBlocks_, sumSums_, place_;

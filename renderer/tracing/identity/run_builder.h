@@ -1,0 +1,55 @@
+#pragma once
+
+#include <span>
+
+#include <halfsilver/settings.h>
+#include "gl/framebuffer.h"
+#include "gl/program.h"
+#include "tracing/build_counters.h"
+#include "tracing/identity/prefix_sum.h"
+#include "tracing/identity/run_store.h"
+
+namespace halfsilver {
+
+// Makes the runs that rays ask for. Triangles that may touch a requested brick are collected as candidates and
+// rasterized twice: to count the entries of each list, and, once a prefix sum has placed the runs, to fill them.
+class RunBuilder {
+ public:
+  // Bricks that one dispatch may ask for: 65 words each while they are built (8.5 MB).
+  static constexpr std::uint32_t kMaxRequests = 32768;
+
+  explicit RunBuilder(const gl::Api& api);
+
+  // Builds what has been requested since the last call. False if it finds no room: the bricks stay requested.
+  bool buildRequested(const GpuScene& scene, RunStore& store);
+
+  // Gives up the bricks that moved triangles have come to, so that rays ask for them again. Those that they have
+  // left can stay: the exact test sees where a triangle is now. The bricks that they came to at the last
+  // move are given up, too, so that lists do not grow along an object's path.
+  void giveUpMoved(const GpuScene& scene, std::span<const VertexRange> moved, RunStore& store);
+
+  // Memory that is needed while a frame builds.
+  std::uint64_t bytes() const { return candidates_.bytes() + brickBuilds_.bytes(); }
+  void releaseMemory();
+  void beginFrame() { transient_ = 0; }
+
+  const BuildCounters& counters() const { return counters_; }
+  void clearCounters() { counters_.clear(); }
+  void addMemory(TracerMemory& memory) const;
+
+ private:
+  void collect(const gl::Program& program, const GpuScene& scene, const RunStore& store);
+  void rasterize(const gl::Program& program, const Grid& raster, const GpuScene& scene, const RunStore& store);
+  void noteTransient() { transient_ = std::max(transient_, bytes()); }
+
+  const gl::Api* api_;
+  gl::Program collectRequested_, build_, finishBricks_;
+  gl::Program collectMoved_, markMoved_, giveUpMoved_;  // made with the first move
+  PrefixSum placeSum_;
+  gl::EmptyVertexArray vertexArray_;
+  BuildCounters counters_;
+  gl::Buffer candidates_, brickBuilds_;
+  std::uint64_t transient_ = 0;  // bytes, see TracerMemory
+};
+
+}  // namespace halfsilver

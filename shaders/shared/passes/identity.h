@@ -1,0 +1,44 @@
+// Bindings, constants and structs of the identity method: tracing/identity/.
+#ifndef HALFSILVER_PASSES_IDENTITY_H
+#define HALFSILVER_PASSES_IDENTITY_H
+
+#define SSBO_BRICKS 12       // uint[bricks]: where a brick's run is, or a state, below
+#define SSBO_RUNS 13         // uint[]: words of runs, see tracing/identity/bricks.glsl
+#define SSBO_BRICK_WORK 14   // BrickWork
+#define SSBO_OUTER 15        // uint[1 + count]: triangles that reach beyond the grid: their count, then their numbers
+// Builds touch no queue of rays and use its numbers, from 6 on.
+#define SSBO_BRICK_BUILDS 6    // BrickBuild[requested bricks]
+#define SSBO_CANDIDATES 7      // uint[triangles]
+#define SSBO_BLOCK_SUMS 8      // uint[blocks of a prefix sum]
+#define SSBO_COMPACTED_RUNS 9  // uint[]: where compaction moves runs to
+
+// Voxels along a side of a brick. A brick's state is the place of its run, or one of these.
+#define BRICK_SIDE 4
+#define BRICK_EMPTY 0xffffffffu      // no triangle touches it
+#define BRICK_MISSING 0xfffffffeu    // never asked for
+#define BRICK_CLAIMED 0xfffffffdu    // a ray is about to ask for it
+#define BRICK_REQUESTED 0x80000000u  // + its number among those that rays wait for
+
+// A brick's voxel in the packed grid (see shared/tracing.h): triangles of the last move came to it.
+#define VOXEL_MOVED 8u
+
+// Prefix sums: invocations per group.
+#define SUM_GROUP 128
+
+// What rays ask for, and what becomes of it: the indirect draw of the candidates, then counts.
+struct BrickWork {
+  uint vertexCount;
+  uint instanceCount;
+  uint firstVertex;
+  uint firstInstance;
+  uint requestedBricks;
+  uint totalWords;        // the last prefix sum
+  uint headerWords;       // before the entries, of the runs that are built
+  uint longestRun;        // of these, words
+  uint staleWords;        // of runs that were given up
+  uint staleHeaderWords;  // of these, before the entries
+  uint padding0;
+  uint padding1;
+};
+
+#endif

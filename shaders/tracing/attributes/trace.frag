@@ -1,0 +1,2 @@
+#include "tracing/attributes/search.glsl"
+#include "tracing/common/trace_fragment.glsl"

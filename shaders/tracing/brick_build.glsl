@@ -1,6 +1,0 @@
-// Bricks that rays wait for, while they are built; by their number in bricks[].
-struct BrickBuild {
-  uint run;                         // place of its run
-  uint next[BRICK_SIDE * BRICK_SIDE * BRICK_SIDE];  // entries counted for each voxel; then where its next entry goes
-};
-layout(std430, binding = SSBO_BRICK_BUILDS) coherent buffer BrickBuildBlock { BrickBuild builds[]; };

@@ -1,0 +1,10 @@
+// The queue as a raster of `rowLength` rays per row.
+#include "tracing/common/trace_ray.glsl"
+
+uniform uint rowLength;
+
+void main() {
+  uvec2 texel = uvec2(gl_FragCoord.xy);
+  uint index = texel.y * rowLength + texel.x;
+  if (index < rayCount.count) traceRay(index);
+}

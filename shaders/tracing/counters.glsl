@@ -1,7 +1,0 @@
-// Counters of a build (see shared/tracing.h).
-layout(std430, binding = SSBO_COUNTERS) coherent buffer CounterBlock { uint counters[]; };
-
-void countAt(uint kind, ivec2 texel) {
-  uint slot = uint(texel.x & 7) + uint(texel.y & 7) * 8u;
-  atomicAdd(counters[slot * COUNTER_KINDS + kind], 1u);
-}

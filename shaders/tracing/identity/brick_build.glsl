@@ -1,0 +1,8 @@
+// Bricks that rays wait for, while they are built; by their number in bricks[].
+#include "shared/passes/identity.h"
+
+struct BrickBuild {
+  uint run;                                         // place of its run
+  uint next[BRICK_SIDE * BRICK_SIDE * BRICK_SIDE];  // entries counted for each voxel; then where its next entry goes
+};
+layout(std430, binding = SSBO_BRICK_BUILDS) coherent buffer BrickBuildBlock { BrickBuild builds[]; };

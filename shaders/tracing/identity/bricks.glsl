@@ -1,0 +1,49 @@
+// Structure of the identity method: bricks of BRICK_SIDE^3 voxels, each with its lists in one run of words, made when a
+// ray first asks for it. A run: which voxels have lists (two words, a bit each), where their entries end, counted from
+// the first entry (a word per list), and the entries, which are triangle numbers. A list holds the fragments of all
+// three A-buffers, whose texels and depths are the voxels', side by side. Programs that write runs define RUN_ACCESS
+// before anything else.
+#include "shared/passes/identity.h"
+#include "tracing/common/grid.glsl"
+
+#ifndef RUN_ACCESS
+#define RUN_ACCESS readonly
+#endif
+layout(std430, binding = SSBO_BRICKS) coherent buffer BrickBlock { uint bricks[]; };
+layout(std430, binding = SSBO_RUNS) RUN_ACCESS buffer RunBlock { uint runs[]; };
+
+ivec3 brickOf(ivec3 voxel) { return voxel / BRICK_SIDE; }
+
+uint brickIndex(ivec3 brick) {
+  ivec3 count = voxelCount / BRICK_SIDE;
+  return uint(brick.x + count.x * (brick.y + count.y * brick.z));
+}
+
+// A voxel's number in its brick.
+uint voxelInBrick(ivec3 voxel) {
+  ivec3 v = voxel % BRICK_SIDE;
+  return uint(v.x + BRICK_SIDE * (v.y + BRICK_SIDE * v.z));
+}
+
+bool present(uint state) { return state < BRICK_REQUESTED; }
+// Rays wait for it; its number among such is what is left of the state.
+bool requested(uint state) { return state >= BRICK_REQUESTED && state < BRICK_CLAIMED; }
+
+// Words before a run's entries, and all its words.
+uint headerWords(uint run) { return 2u + uint(bitCount(runs[run]) + bitCount(runs[run + 1u])); }
+uint runWords(uint run) {
+  uint header = headerWords(run);
+  return header + (header > 2u ? runs[run + header - 1u] : 0u);
+}
+
+// Entries of a voxel: from x to before y.
+uvec2 listOf(uint run, ivec3 voxel) {
+  uint number = voxelInBrick(voxel), bit = 1u << (number & 31u);
+  uvec2 occupied = uvec2(runs[run], runs[run + 1u]);
+  uint word = number < 32u ? occupied.x : occupied.y;
+  if ((word & bit) == 0u) return uvec2(0u);
+  uint low = uint(bitCount(occupied.x));
+  uint rank = uint(bitCount(word & (bit - 1u))) + (number < 32u ? 0u : low);
+  uint ends = run + 2u, entries = ends + low + uint(bitCount(occupied.y));
+  return entries + uvec2(rank > 0u ? runs[ends + rank - 1u] : 0u, runs[ends + rank]);
+}

@@ -1,0 +1,2 @@
+#include "tracing/identity/search.glsl"
+#include "tracing/common/trace_fragment.glsl"

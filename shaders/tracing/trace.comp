@@ -1,8 +1,0 @@
-#include "tracing/trace_ray.glsl"
-
-layout(local_size_x = 64) in;
-
-void main() {
-  uint index = (gl_WorkGroupID.x + gl_WorkGroupID.y * gl_NumWorkGroups.x) * gl_WorkGroupSize.x + gl_LocalInvocationID.x;
-  if (index < rayCount.count) traceRay(index);
-}

@@ -1,0 +1,2 @@
+#include "tracing/brute_force/search.glsl"
+#include "tracing/common/trace_compute.glsl"
