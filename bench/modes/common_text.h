@@ -22,8 +22,8 @@ std::string measuredWith(const std::string& version, const Device& device, const
 // "builtin:sphere, 1000 triangles<remark>, mirror floor=0.9"
 std::string sceneCaption(const SceneRecord& scene, const std::string& remark);
 
-// The pictures of the scenes that have points. `remark` adds to the caption what the scene's first point shows; `nameOf`
-// turns a scene's name into that of its picture; without it the names are the same.
+// The pictures of the scenes that have points. `remark` adds what a scene's first point shows to the caption. `nameOf`
+// turns a scene's name into that of its picture; without it they are the same.
 template <class P, class Remark>
 std::vector<Figure> sceneFigures(const OutputFolder& folder, const std::vector<BenchScene>& scenes,
                                  const std::vector<P>& points, Remark remark,

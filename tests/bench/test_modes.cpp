@@ -9,6 +9,23 @@
 #include "contract/program.h"
 
 namespace halfsilver::bench {
+
+struct SizedKey {
+  std::string series;
+  int size = 0;
+};
+template <>
+inline constexpr auto kFields<SizedKey> =
+    std::tuple{field("series", &SizedKey::series), field("size", &SizedKey::size)};
+
+struct Duration {
+  double seconds = 0;
+};
+template <>
+inline constexpr auto kFields<Duration> = std::tuple{field("seconds", &Duration::seconds)};
+
+using SizedPoint = Point<SizedKey, Duration>;
+
 namespace {
 
 Request requestOf(std::vector<std::string> scenes, std::vector<std::string> mirrors,
@@ -60,22 +77,6 @@ TEST(BenchScenes, EachHasItsView) {
        {std::vector<std::string>{"c.glb=1,2,3,0,0,1"}, {"b.glb=1,2,3,0,0,1", "a/b.glb=1,2,3,0,0,2"}, {"b.glb=1,2,3"}})
     EXPECT_THROW(requestOf({"a/b.glb"}, {}, bad), Error);
 }
-
-struct SizedKey {
-  std::string series;
-  int size = 0;
-};
-template <>
-inline constexpr auto kFields<SizedKey> =
-    std::tuple{field("series", &SizedKey::series), field("size", &SizedKey::size)};
-
-struct Duration {
-  double seconds = 0;
-};
-template <>
-inline constexpr auto kFields<Duration> = std::tuple{field("seconds", &Duration::seconds)};
-
-using SizedPoint = Point<SizedKey, Duration>;
 
 TEST(BenchTasks, ASeriesEndsAndOthersGoOn) {
   const TemporaryFolder folder;

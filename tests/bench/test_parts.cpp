@@ -17,6 +17,22 @@
 #include "temporary_folder.h"
 
 namespace halfsilver::bench {
+
+struct Inner {
+  std::uint64_t count = 0;
+};
+template <>
+inline constexpr auto kFields<Inner> = std::tuple{field("count", &Inner::count)};
+
+struct Outer {
+  std::string name;
+  std::optional<double> error, time;
+  std::optional<Inner> inner;
+};
+template <>
+inline constexpr auto kFields<Outer> = std::tuple{field("name", &Outer::name), field("error", &Outer::error),
+                                                  field("time_ms", &Outer::time, Empty::omitted), group(&Outer::inner)};
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -124,21 +140,6 @@ TEST(BenchPoints, AreKeptAndFoundByTheirKey) {
     EXPECT_THROW(Points(file, "memory"), Error) << text;
   }
 }
-
-struct Inner {
-  std::uint64_t count = 0;
-};
-template <>
-inline constexpr auto kFields<Inner> = std::tuple{field("count", &Inner::count)};
-
-struct Outer {
-  std::string name;
-  std::optional<double> error, time;
-  std::optional<Inner> inner;
-};
-template <>
-inline constexpr auto kFields<Outer> = std::tuple{field("name", &Outer::name), field("error", &Outer::error),
-                                                  field("time_ms", &Outer::time, Empty::omitted), group(&Outer::inner)};
 
 TEST(BenchFields, AStructIsReadAsItWasWritten) {
   const Outer full{"a", 0.5, 1.25, Inner{7}}, empty{"b", {}, {}, {}};
