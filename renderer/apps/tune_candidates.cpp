@@ -13,7 +13,7 @@ struct Axis {
   std::vector<std::string> values;
 };
 
-// The last axis is climbed, the others make a ladder each.
+// Each combination of the other axes' values makes a ladder over the last axis.
 struct Family {
   std::string preset;
   std::vector<Axis> axes;
@@ -79,7 +79,7 @@ std::vector<Ladder> tuneLadders(const ViewRequest& request) {
         for (std::size_t i = 0; i < fixed.size(); ++i) set(candidate.settings, names[i], fixed[i]);
         set(candidate.settings, names.back(), last);
         applyOverrides(candidate.settings, request);
-        // Another method than its family's would be tuned by settings that it does not know.
+        // --set chose another method, which this family's settings do not affect.
         if (candidate.settings.trace.method != start.trace.method) continue;
         if (std::find(known.begin(), known.end(), candidate.settings) != known.end()) continue;
         known.push_back(candidate.settings);

@@ -21,12 +21,12 @@ Bounds boundsOf(const Scene& scene, const Triangle& triangle) {
 
 SceneCore findCore(const Scene& scene) {
   SceneCore whole{scene.bounds(), {}};
-  if (scene.triangles.size() <= kMostOuterTriangles) return whole;
+  if (scene.triangles.size() <= kMaxOuterTriangles) return whole;
   // The sizes of the largest triangles, and of the first that must stay.
   std::priority_queue<float, std::vector<float>, std::greater<>> largest;
   for (const Triangle& triangle : scene.triangles) {
     const float size = longest(boundsOf(scene, triangle).extent());
-    if (largest.size() <= kMostOuterTriangles) {
+    if (largest.size() <= kMaxOuterTriangles) {
       largest.push(size);
     } else if (size > largest.top()) {
       largest.pop();

@@ -50,7 +50,7 @@ TEST(Settings, EveryNameIsUniqueAndExplained) {
   EXPECT_EQ(std::adjacent_find(names.begin(), names.end()), names.end());
 }
 
-// Takes the default of every setting back in, and both ends of its range, and every choice.
+// The default of every setting, both ends of its range, and every choice.
 TEST(Settings, EveryValueReadsBackAsItWasWritten) {
   for (const SettingInfo& info : describe({})) {
     std::vector<std::string> values = info.choices;
@@ -91,7 +91,7 @@ TEST(Settings, WrongValuesAreNamed) {
   EXPECT_EQ(rejection("", "none"), "unknown setting ''");
 }
 
-TEST(Settings, NumbersThatAreNoneAreRejected) {
+TEST(Settings, TextsThatAreNotNumbersAreRejected) {
   for (const char* value : {"", " 1", "1 ", "1x", "nan", "inf", "-inf", "0x10", "1,5", "--1"})
     EXPECT_NE(rejection("select.fraction", value), "accepted") << "'" << value << "'";
   for (const char* value : {"99999999999999999999", "1e400", "nan", ""})

@@ -44,13 +44,13 @@ TEST(TuneLadders, ClimbOneSettingOfEachMethod) {
     }
 }
 
-TEST(TuneLadders, TheBaseSaysWhatIsDrawnAndOverridesStay) {
+TEST(TuneLadders, TheBaseDecidesWhatIsDrawnAndOverridesAreKept) {
   ViewRequest request;
-  request.preset = "hu2014";  // all pixels, and a structure of its own
+  request.preset = "hu2014";  // all pixels, with its own structure
   request.set = {"search.steps=3", "voxels.resolution=100", "image.exposure=1"};
   request.bounces = 2;
   const std::vector<Candidate> candidates = all(tuneLadders(request));
-  // Steps and voxels are given: four sizes of the A-buffer are left.
+  // Steps and voxels are given: the four sizes of the A-buffer remain.
   EXPECT_EQ(count(candidates, Method::attributes), 4u);
   EXPECT_GE(count(candidates, Method::identity), 5u);
   for (const Candidate& candidate : candidates) {
