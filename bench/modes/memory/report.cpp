@@ -1,5 +1,5 @@
-#include <halfsilver/methods.h>
 #include "bench/modes/memory/report.h"
+#include <halfsilver/methods.h>
 
 #include <array>
 #include <tuple>
