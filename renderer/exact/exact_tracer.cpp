@@ -9,6 +9,7 @@
 #include <thread>
 
 #include <halfsilver/error.h>
+#include <halfsilver/gl/readback.h>
 #include "scene/alpha.h"
 
 namespace halfsilver {
@@ -32,6 +33,7 @@ struct RayContext : RTCIntersectContext {
   bool cullBackFaces = true;
   std::uint32_t excluded = NO_TRIANGLE;
   glm::vec3 direction{0};
+  Hit accepted{HIT_MISS, NO_TRIANGLE, 0, 0};  // by the filter, the last
 };
 
 bool visible(const RayContext& context, std::uint32_t number, glm::vec2 barycentrics) {
@@ -50,10 +52,13 @@ bool visible(const RayContext& context, std::uint32_t number, glm::vec2 barycent
 
 void filter(const RTCFilterFunctionNArguments* arguments) {
   if (arguments->valid[0] == 0) return;
-  const auto& context = *static_cast<const RayContext*>(arguments->context);
+  auto& context = *static_cast<RayContext*>(arguments->context);
   const unsigned number = RTCHitN_primID(arguments->hit, 1, 0);
   const glm::vec2 barycentrics(RTCHitN_u(arguments->hit, 1, 0), RTCHitN_v(arguments->hit, 1, 0));
-  if (!visible(context, number, barycentrics)) arguments->valid[0] = 0;
+  if (visible(context, number, barycentrics))
+    context.accepted = {RTCRayN_tfar(arguments->ray, 1, 0), number, barycentrics.x, barycentrics.y};
+  else
+    arguments->valid[0] = 0;
 }
 
 bool countMemory(void* total, ssize_t bytes, bool) {
@@ -63,10 +68,12 @@ bool countMemory(void* total, ssize_t bytes, bool) {
 
 class ExactTracer final : public Tracer {
  public:
-  ExactTracer(const Scene& scene, int threads)
+  ExactTracer(const gl::Api& api, const Scene& scene, int threads)
       : scene_(&scene),
         threads_(threads > 0 ? static_cast<unsigned>(threads) : std::max(1u, std::thread::hardware_concurrency())),
-        device_(rtcNewDevice(("threads=" + std::to_string(threads_)).c_str())) {
+        device_(rtcNewDevice(("threads=" + std::to_string(threads_)).c_str())),
+        countRead_(api),
+        queueRead_(api) {
     if (!device_) throw Error(ErrorKind::failed, "Embree cannot make a device");
     rtcSetDeviceMemoryMonitorFunction(device_.get(), countMemory, &bytes_);
   }
@@ -74,29 +81,18 @@ class ExactTracer final : public Tracer {
   void update(const FrameView& view, const SceneChange& change) override {
     if (embreeScene_ && !change.geometry()) return;
     const auto scope = view.profiler.hostSection("build");
-    embreeScene_.reset(rtcNewScene(device_.get()));
-    rtcSetSceneFlags(embreeScene_.get(), RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
-    RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
-    // The scene's own arrays; Vertex is larger than the 16 bytes that Embree reads at each position.
-    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, scene_->vertices.data(),
-                               offsetof(Vertex, position), sizeof(Vertex), scene_->vertices.size());
-    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, scene_->triangles.data(),
-                               offsetof(Triangle, vertices), sizeof(Triangle), scene_->triangles.size());
-    rtcCommitGeometry(geometry);
-    rtcAttachGeometry(embreeScene_.get(), geometry);
-    rtcReleaseGeometry(geometry);
-    rtcCommitScene(embreeScene_.get());
-    if (rtcGetDeviceError(device_.get()) != RTC_ERROR_NONE)
-      throw Error(ErrorKind::failed, "Embree cannot build the scene");
+    // What moves will move again: a hierarchy that is made faster than it traces. Refitting the old one is no faster.
+    const bool moves = embreeScene_ && !change.topology;
+    embreeScene_.reset();
+    embreeScene_ = build(moves ? RTC_BUILD_QUALITY_LOW : RTC_BUILD_QUALITY_MEDIUM);
   }
 
   void trace(const FrameView& view, const RayQueue& rays, Hits& hits) override {
-    const auto scope = view.profiler.hostSection("trace");
-    const auto count = rays.count.read<shared::RayCount>(1)[0].count;
-    const std::vector<Ray> queue = rays.rays.read<Ray>(count);
-    std::vector<Hit> results(count);
-    traceAll(queue, results, view.frame);
-    hits.hits.write(std::span<const Hit>(results));
+    answer(view, rays, hits, [this, &view](const Ray& ray) { return nearestHit(ray, view.frame); });
+  }
+
+  void occluded(const FrameView& view, const RayQueue& rays, Hits& hits) override {
+    answer(view, rays, hits, [this, &view](const Ray& ray) { return anyHit(ray, view.frame); });
   }
 
   TracerMemory memory() const override {
@@ -106,20 +102,57 @@ class ExactTracer final : public Tracer {
   }
 
  private:
-  void traceAll(std::span<const Ray> rays, std::span<Hit> results, const shared::FrameConstants& frame) const {
+  EmbreeScene build(RTCBuildQuality quality) const {
+    EmbreeScene scene(rtcNewScene(device_.get()));
+    rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
+    rtcSetSceneBuildQuality(scene.get(), quality);
+    RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
+    rtcSetGeometryBuildQuality(geometry, quality);
+    // The scene's own arrays; Vertex is larger than the 16 bytes that Embree reads at each position.
+    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, scene_->vertices.data(),
+                               offsetof(Vertex, position), sizeof(Vertex), scene_->vertices.size());
+    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, scene_->triangles.data(),
+                               offsetof(Triangle, vertices), sizeof(Triangle), scene_->triangles.size());
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometry(scene.get(), geometry);
+    rtcReleaseGeometry(geometry);
+    rtcCommitScene(scene.get());
+    if (rtcGetDeviceError(device_.get()) != RTC_ERROR_NONE)
+      throw Error(ErrorKind::failed, "Embree cannot build the scene");
+    return scene;
+  }
+
+  // Valid until the next call.
+  std::span<const Ray> read(const RayQueue& rays) {
+    const std::uint32_t count = countRead_.read<shared::RayCount>(rays.count).count;
+    queueRead_.clear();
+    const auto slice = queueRead_.copy<Ray>(rays.rays, count);
+    queueRead_.submit();
+    queueRead_.wait();
+    return queueRead_.values(slice);
+  }
+
+  // Writes `query(ray)` for every ray of the queue.
+  template <class Query>
+  void answer(const FrameView& view, const RayQueue& queue, Hits& hits, const Query& query) {
+    const auto scope = view.profiler.hostSection("trace");
+    const std::span<const Ray> rays = read(queue);
+    std::vector<Hit> results(rays.size());
     constexpr std::size_t kChunk = 1024;
     std::atomic<std::size_t> next{0};
     const auto work = [&] {
       for (std::size_t first = next.fetch_add(kChunk); first < rays.size(); first = next.fetch_add(kChunk))
-        for (std::size_t i = first; i < std::min(first + kChunk, rays.size()); ++i)
-          results[i] = traceOne(rays[i], frame);
+        for (std::size_t i = first; i < std::min(first + kChunk, rays.size()); ++i) results[i] = query(rays[i]);
     };
-    std::vector<std::jthread> helpers;
-    for (unsigned i = 1; i < threads_; ++i) helpers.emplace_back(work);
-    work();
+    {
+      std::vector<std::jthread> helpers;
+      for (unsigned i = 1; i < threads_; ++i) helpers.emplace_back(work);
+      work();
+    }
+    hits.hits.write(std::span<const Hit>(results));
   }
 
-  Hit traceOne(const Ray& ray, const shared::FrameConstants& frame) const {
+  RayContext contextOf(const Ray& ray, const shared::FrameConstants& frame) const {
     RayContext context;
     rtcInitIntersectContext(&context);
     context.filter = filter;
@@ -127,20 +160,39 @@ class ExactTracer final : public Tracer {
     context.cullBackFaces = frame.cullBackFaces != 0;
     context.excluded = ray.excluded;
     context.direction = ray.direction;
+    return context;
+  }
+
+  static RTCRay embreeRay(const Ray& ray, const shared::FrameConstants& frame) {
+    RTCRay query{};
+    query.org_x = ray.origin.x;
+    query.org_y = ray.origin.y;
+    query.org_z = ray.origin.z;
+    query.dir_x = ray.direction.x;
+    query.dir_y = ray.direction.y;
+    query.dir_z = ray.direction.z;
+    query.tnear = frame.minDistance;
+    query.tfar = ray.maxDistance;
+    query.mask = ~0u;
+    return query;
+  }
+
+  Hit nearestHit(const Ray& ray, const shared::FrameConstants& frame) const {
+    RayContext context = contextOf(ray, frame);
     RTCRayHit query{};
-    query.ray.org_x = ray.origin.x;
-    query.ray.org_y = ray.origin.y;
-    query.ray.org_z = ray.origin.z;
-    query.ray.dir_x = ray.direction.x;
-    query.ray.dir_y = ray.direction.y;
-    query.ray.dir_z = ray.direction.z;
-    query.ray.tnear = frame.minDistance;
-    query.ray.tfar = ray.maxDistance;
-    query.ray.mask = ~0u;
+    query.ray = embreeRay(ray, frame);
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     rtcIntersect1(embreeScene_.get(), &context, &query);
     if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {HIT_MISS, NO_TRIANGLE, 0, 0};
     return {query.ray.tfar, query.hit.primID, query.hit.u, query.hit.v};
+  }
+
+  // Embree says only whether there is one; the filter knows which.
+  Hit anyHit(const Ray& ray, const shared::FrameConstants& frame) const {
+    RayContext context = contextOf(ray, frame);
+    RTCRay query = embreeRay(ray, frame);
+    rtcOccluded1(embreeScene_.get(), &context, &query);
+    return context.accepted;
   }
 
   const Scene* scene_;
@@ -148,13 +200,15 @@ class ExactTracer final : public Tracer {
   std::atomic<std::int64_t> bytes_{0};
   Device device_;
   EmbreeScene embreeScene_;
+  gl::BlockingRead countRead_;
+  gl::Readback queueRead_;
 };
 
 }  // namespace
 
 TracerFactory makeExactTracerFactory(const Scene& scene, int threads) {
-  return [&scene, threads](const gl::Api&, const Settings&) -> std::unique_ptr<Tracer> {
-    return std::make_unique<ExactTracer>(scene, threads);
+  return [&scene, threads](const gl::Api& api, const Settings&) -> std::unique_ptr<Tracer> {
+    return std::make_unique<ExactTracer>(api, scene, threads);
   };
 }
 

@@ -1,5 +1,6 @@
 // The point of a triangle on a ray from the eye, as exact as floats allow.
-#include "lib/scene.glsl"
+#include "lib/frame.glsl"
+#include "lib/triangles.glsl"
 
 struct TrianglePoint {
   vec2 barycentrics;  // inside the triangle

@@ -1,6 +1,6 @@
 // From triangle numbers to surfaces, one per pixel.
 #include "lib/pixel_triangle.glsl"
-#include "lib/surface.glsl"
+#include "lib/evaluate_surface.glsl"
 #include "shared/passes/gbuffer.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;

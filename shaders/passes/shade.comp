@@ -2,6 +2,7 @@
 #include "lib/gbuffer.glsl"
 #include "lib/lights.glsl"
 #include "lib/sky.glsl"
+#include "lib/triangles.glsl"
 #include "shared/passes/shade.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;

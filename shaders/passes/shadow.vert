@@ -1,5 +1,5 @@
 // Triangles of the draw list as one view of the shadow maps sees them.
-#include "lib/scene.glsl"
+#include "lib/triangles.glsl"
 #include "shared/passes/shadow.h"
 
 layout(std430, binding = SSBO_DRAW_LIST) readonly buffer DrawListBlock { uint drawList[]; };

@@ -1,5 +1,6 @@
 // Triangles of the draw list, pulled by number.
-#include "lib/scene.glsl"
+#include "lib/frame.glsl"
+#include "lib/triangles.glsl"
 #include "shared/passes/gbuffer.h"
 
 layout(std430, binding = SSBO_DRAW_LIST) readonly buffer DrawListBlock { uint drawList[]; };

@@ -1,14 +1,17 @@
+#include <algorithm>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
+#include <random>
 
 #include "gpu/light_fixture.h"
+#include "gpu/ray_queues.h"
 
 namespace halfsilver::testing {
 namespace {
 
 using glm::vec3;
 using glm::vec4;
-constexpr std::size_t kQueue = 8;  // rays that fit
+constexpr std::uint32_t kQueue = 8;  // rays that fit
 
 // A ray of a queue, with what the effect knows of it.
 struct QueuedRay {
@@ -19,14 +22,14 @@ struct QueuedRay {
 // Rays and their hits made by hand, on a quad in the plane y = 0 (triangles 0 and 1) whose light is emission alone.
 class ReflectionShade : public LightTest {
  protected:
-  void setUp(const Material& material) {
+  void setUp(const Material& material, int width = 4, int height = 2) {
     scene_ = Scene();
     addQuad(scene_, vec3(0), {4, 0, 0}, {0, 0, -4}, addMaterial(scene_, material));
     scene_.sky = evenSky(vec3(0.25f, 0.5f, 1));
     settings.shadow.skyDirections = 0;
     Camera camera;
     camera.eye = {0, 8, 8};
-    draw(scene_, camera, 4, 2);
+    draw(scene_, camera, width, height);
   }
 
   QueuedRay ray(std::uint32_t pixel, const vec3& origin, const vec3& direction, const vec3& throughput = vec3(1)) {
@@ -34,8 +37,8 @@ class ReflectionShade : public LightTest {
             {throughput, 5.0f, pixel, 0, RAY_REFLECTION, 0}};
   }
 
-  // The rays have the slots of their place in the queue.
-  RayQueue makeQueue(const std::vector<QueuedRay>& queued) {
+  // The rays have the slots of their place in the list.
+  RayQueue queueOf(const std::vector<QueuedRay>& queued) {
     std::vector<shared::Ray> rays;
     std::vector<shared::RayPath> paths;
     for (const QueuedRay& each : queued) {
@@ -43,16 +46,7 @@ class ReflectionShade : public LightTest {
       paths.push_back(each.path);
       paths.back().slot = static_cast<std::uint32_t>(paths.size() - 1);
     }
-    RayQueue queue;
-    queue.capacity = kQueue;
-    queue.rays = gl::Buffer(api, kQueue * sizeof(shared::Ray), "rays");
-    queue.paths = gl::Buffer(api, kQueue * sizeof(shared::RayPath), "paths");
-    queue.count = gl::Buffer(api, sizeof(shared::RayCount), "count");
-    queue.rays.write(std::span<const shared::Ray>(rays));
-    queue.paths.write(std::span<const shared::RayPath>(paths));
-    const shared::RayCount count[] = {{1, 1, 1, static_cast<std::uint32_t>(rays.size()), 0, 0, 0, 0}};
-    queue.count.write(std::span<const shared::RayCount>(count));
-    return queue;
+    return makeQueue(api, rays, paths);
   }
 
   // Shades first rays, whose slots are empty before, and brings their light to the pixels.
@@ -80,9 +74,13 @@ class ReflectionShade : public LightTest {
 
   void emptySlots(const RayQueue& first) {
     std::vector<GLuint> slotPixels;
-    for (const shared::RayPath& path : first.paths.read<shared::RayPath>(kQueue)) slotPixels.push_back(path.pixel);
+    for (const auto& path : first.paths.read<shared::RayPath>(first.capacity)) slotPixels.push_back(path.pixel);
+    emptySlots(slotPixels, 1);
+  }
+  void emptySlots(const std::vector<GLuint>& slotPixels, std::size_t slotsPerPixel) {
     effectFrame_.radiance.pixels = gl::makeBuffer(api, std::span<const GLuint>(slotPixels), "pixels of slots");
-    effectFrame_.radiance.slots = gl::Buffer(api, kQueue * sizeof(shared::Radiance), "slots");
+    effectFrame_.radiance.slots =
+        gl::Buffer(api, slotPixels.size() * slotsPerPixel * sizeof(shared::Radiance), "slots");
     effectFrame_.radiance.slots.fill(0);
   }
 
@@ -101,7 +99,7 @@ const shared::Hit kOverflow{HIT_OVERFLOW, NO_TRIANGLE, 0, 0};
 
 TEST_F(ReflectionShade, MissShowsTheSkyAndOverflowLeavesThePixelUntraced) {
   setUp(diffuse(vec3(1)));
-  const RayQueue queue = makeQueue(
+  const RayQueue queue = queueOf(
       {ray(2, {0, 1, 0}, {1, 1, 0}), ray(5, {0, 1, 0}, {1, 1, 0}, vec3(0.5f, 1, 0)), ray(6, {0, 1, 0}, {0, 1, 0})});
   shade(queue, {kMiss, kMiss, kOverflow});
   expectColor(reflection(2, 0), sky_);
@@ -113,8 +111,8 @@ TEST_F(ReflectionShade, MissShowsTheSkyAndOverflowLeavesThePixelUntraced) {
 
 TEST_F(ReflectionShade, HitOnADullSurfaceShowsItsLight) {
   setUp(glowing(diffuse(vec3(0)), {0.9f, 0.3f, 0.1f}));
-  const RayQueue queue = makeQueue({ray(0, {0, 1, 0}, {1, -1, 0}, vec3(0.5f))});
-  RayQueue next = makeQueue({});
+  const RayQueue queue = queueOf({ray(0, {0, 1, 0}, {1, -1, 0}, vec3(0.5f))});
+  RayQueue next = makeQueue(api, kQueue);
   shade(queue, {{std::sqrt(2.0f), 0, 0.3f, 0.3f}}, &next);
   expectColor(reflection(0, 0), 0.5f * vec3(0.9f, 0.3f, 0.1f));
   EXPECT_EQ(reflection(0, 0).w, 1);
@@ -136,7 +134,7 @@ TEST_F(ReflectionShade, LitHitEqualsTheDeferredPixel) {
   // Barycentrics of the point in the first triangle (-4, 4), (4, 4), (4, -4).
   const float u = (target.x + 4) / 8 - (4 - target.z) / 8, v = (4 - target.z) / 8;
   ASSERT_GE(u, 0);
-  shade(makeQueue({ray(0, eye, view)}), {{glm::distance(eye, target), 0, u, v}});
+  shade(queueOf({ray(0, eye, view)}), {{glm::distance(eye, target), 0, u, v}});
   const vec4 found = pixels(gbuffer.reflection)[0];
   EXPECT_GT(glm::length(vec3(deferred)), 0.3f);
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(found[c], middle(blended)[c], 2e-3f);
@@ -145,10 +143,10 @@ TEST_F(ReflectionShade, LitHitEqualsTheDeferredPixel) {
 // W = 1: nothing of the surface's own light. W = 0.5: half of each.
 TEST_F(ReflectionShade, LastBounceReflectsTheSky) {
   setUp(glowing(mirror(1), vec3(7)));
-  shade(makeQueue({ray(0, {0, 2, 0}, {0, -1, 0})}), {{2, 0, 0.25f, 0.5f}});
+  shade(queueOf({ray(0, {0, 2, 0}, {0, -1, 0})}), {{2, 0, 0.25f, 0.5f}});
   expectColor(reflection(0, 0), sky_);
   setUp(glowing(mirror(0.5f), vec3(3)));
-  shade(makeQueue({ray(0, {0, 2, 0}, {0, -1, 0})}), {{2, 0, 0.25f, 0.5f}});
+  shade(queueOf({ray(0, {0, 2, 0}, {0, -1, 0})}), {{2, 0, 0.25f, 0.5f}});
   expectColor(reflection(0, 0), 0.5f * vec3(3) + 0.5f * sky_);
 }
 
@@ -159,8 +157,8 @@ TEST_F(ReflectionShade, SecondBounceIsSentOnAndAdded) {
   const vec3 hit = vec3(0, 2, 0) + t * direction;
   const float u = (hit.x + 4) / 8 - (4 - hit.z) / 8, v = (4 - hit.z) / 8;
   ASSERT_GE(u, 0);
-  RayQueue next = makeQueue({});
-  const RayQueue queue = makeQueue(
+  RayQueue next = makeQueue(api, kQueue);
+  const RayQueue queue = queueOf(
       {ray(0, {0, 2, 0}, direction), ray(3, {0, 2, 0}, {0, 1, 0}), ray(5, {0, 2, 0}, direction, vec3(0, 0.5f, 1))});
   shade(queue, {{t, 0, u, v}, kMiss, {t, 0, u, v}}, &next);
   const float cosine = -direction.y;
@@ -197,8 +195,8 @@ TEST_F(ReflectionShade, SecondBounceIsSentOnAndAdded) {
 TEST_F(ReflectionShade, NoRayBelowTheThreshold) {
   settings.select.minReflectivity = 0.6f;
   setUp(glowing(mirror(0.5f), vec3(3)));
-  RayQueue next = makeQueue({});
-  shade(makeQueue({ray(0, {0, 2, 0}, {0, -1, 0})}), {{2, 0, 0.25f, 0.5f}}, &next);
+  RayQueue next = makeQueue(api, kQueue);
+  shade(queueOf({ray(0, {0, 2, 0}, {0, -1, 0})}), {{2, 0, 0.25f, 0.5f}}, &next);
   EXPECT_EQ(next.count.read<shared::RayCount>(1)[0].count, 0u);
   EXPECT_EQ(next.count.read<shared::RayCount>(1)[0].groupsX, 0u);
   expectColor(reflection(0, 0), 0.5f * vec3(3) + 0.5f * sky_);
@@ -209,8 +207,8 @@ TEST_F(ReflectionShade, UnlitHitIsItsColour) {
   material.unlit = true;
   material.roughness = 0;
   setUp(material);
-  RayQueue next = makeQueue({});
-  shade(makeQueue({ray(0, {0, 2, 0}, {0, -1, 0})}), {{2, 0, 0.25f, 0.5f}}, &next);
+  RayQueue next = makeQueue(api, kQueue);
+  shade(queueOf({ray(0, {0, 2, 0}, {0, -1, 0})}), {{2, 0, 0.25f, 0.5f}}, &next);
   expectColor(reflection(0, 0), {0.2f, 0.4f, 0.6f});
   EXPECT_EQ(next.count.read<shared::RayCount>(1)[0].count, 0u);
 }
@@ -225,8 +223,8 @@ TEST_F(ReflectionShade, StoredSurfacesReplaceTheTrianglesOwn) {
   const vec3 metal(0.8f, 0.4f, 0.2f);
   const float luminance = glm::dot(metal, vec3(0.2126f, 0.7152f, 0.0722f));
   const shared::HitSurface stored{metal, 0, glm::normalize(vec3(1, 1, 0)), luminance * 0.5f};
-  RayQueue next = makeQueue({});
-  shade(makeQueue({ray(0, {0, 2, 0}, {0, -1, 0})}), {{2, 1, 0, 0}}, &next, {stored});
+  RayQueue next = makeQueue(api, kQueue);
+  shade(queueOf({ray(0, {0, 2, 0}, {0, -1, 0})}), {{2, 1, 0, 0}}, &next, {stored});
   ASSERT_EQ(next.count.read<shared::RayCount>(1)[0].count, 1u);
   const shared::Ray sent = next.rays.read<shared::Ray>(1)[0];
   const shared::RayPath path = next.paths.read<shared::RayPath>(1)[0];
@@ -235,6 +233,69 @@ TEST_F(ReflectionShade, StoredSurfacesReplaceTheTrianglesOwn) {
   const vec3 fresnel = metal + (1.0f - metal) * std::pow(1 - std::sqrt(0.5f), 5.0f);
   EXPECT_LT(glm::distance(path.throughput, 0.5f * fresnel), 1e-4f);
   EXPECT_EQ(sent.excluded, 1u);
+}
+
+// Two unlike rays per pixel of one dispatch, in any order of the queue: one that hits and one that misses, some given
+// up.
+TEST_F(ReflectionShade, RaysOfOnePixelSumToTheSameBitsInAnyOrder) {
+  constexpr std::uint32_t kWidth = 32, kHeight = 16, kPixels = kWidth * kHeight;
+  setUp(glowing(diffuse(vec3(0)), {0.9f, 0.3f, 0.1f}), kWidth, kHeight);
+  std::mt19937 random(7);
+  std::uniform_real_distribution<float> unit(0, 1);
+  struct Shot {
+    QueuedRay queued;
+    shared::Hit hit;
+  };
+  std::vector<Shot> shots[2];
+  std::vector<GLuint> slotPixels;
+  for (std::uint32_t p = 0; p < kPixels; ++p) {
+    slotPixels.push_back(kPixels - 1 - p);
+    for (std::uint32_t k = 0; k < 2; ++k) {
+      const vec3 throughput(unit(random), unit(random), unit(random));
+      const shared::Hit hit{1 + unit(random), 0, 0.3f, 0.3f};
+      Shot shot{ray(slotPixels[p], {0, 1, 0}, {1, k == 0 ? -1 : 1, 0}, throughput), k == 0 ? hit : kMiss};
+      if (p % 5 == k) shot.hit = kOverflow;
+      shot.queued.path.slot = 2 * p + k;
+      shots[k].push_back(shot);
+    }
+  }
+  const auto shadePixels = [&](const std::vector<Shot>& queue, std::uint32_t slotsPerPixel) {
+    std::vector<shared::Ray> rays;
+    std::vector<shared::RayPath> paths;
+    std::vector<shared::Hit> found;
+    for (const Shot& shot : queue) {
+      rays.push_back(shot.queued.ray);
+      paths.push_back(shot.queued.path);
+      if (slotsPerPixel == 1) paths.back().slot /= 2;
+      found.push_back(shot.hit);
+    }
+    emptySlots(slotPixels, slotsPerPixel);
+    const vec4 nothing(0);
+    api.ClearTexImage(gbuffer.reflection.name(), 0, GL_RGBA, GL_FLOAT, &nothing);
+    const RayQueue first = makeQueue(api, rays, paths);
+    Hits hits;
+    hits.hits = gl::makeBuffer(api, std::span<const shared::Hit>(found), "hits");
+    reflectionEffect.shade(view(), first, hits, nullptr, effectFrame_);
+    reflectionEffect.resolve(view(), first, effectFrame_, gbuffer, slotsPerPixel);
+    return pixels(gbuffer.reflection);
+  };
+  const std::vector<vec4> one = shadePixels(shots[0], 1), other = shadePixels(shots[1], 1);
+
+  std::vector<Shot> both = shots[0];
+  both.insert(both.end(), shots[1].begin(), shots[1].end());
+  const std::vector<vec4> sums = shadePixels(both, 2);
+  std::size_t means = 0;
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    const float answered = one[i].w + other[i].w;
+    ASSERT_EQ(sums[i].w, answered > 0 ? 1 : 0);
+    for (int c = 0; c < 3; ++c) EXPECT_FLOAT_EQ(sums[i][c], (one[i][c] + other[i][c]) / std::max(answered, 1.0f));
+    means += answered == 2 && one[i] != other[i] && one[i].x > 0 && other[i].x > 0;
+  }
+  EXPECT_GT(means, kPixels / 2);
+  for (int order = 0; order < 100; ++order) {
+    std::shuffle(both.begin(), both.end(), random);
+    ASSERT_EQ(shadePixels(both, 2), sums) << order;
+  }
 }
 
 }  // namespace

@@ -11,7 +11,6 @@ namespace halfsilver {
 namespace {
 
 constexpr int kTile = 8;
-constexpr GLuint kSlotsPerPixel = 1;
 
 void reserveQueue(const gl::Api& api, std::uint32_t rays, RayQueue& queue) {
   if (queue.capacity >= rays) return;
@@ -124,11 +123,11 @@ void ReflectionEffect::shade(const FrameView& view, const RayQueue& rays, const 
     api_->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
-void ReflectionEffect::resolve(const FrameView& view, const RayQueue& first, const EffectFrame& frame,
-                               GBuffer& gbuffer) {
+void ReflectionEffect::resolve(const FrameView& view, const RayQueue& first, const EffectFrame& frame, GBuffer& gbuffer,
+                               std::uint32_t slotsPerPixel) {
   const auto section = view.profiler.section("shade");
   resolve_.use();
-  resolve_.set("slotsPerPixel", kSlotsPerPixel);
+  resolve_.set("slotsPerPixel", slotsPerPixel);
   view.constants.bindUniform(UBO_FRAME);
   first.count.bindStorage(SSBO_RAY_COUNT);
   frame.radiance.slots.bindStorage(SSBO_SLOTS);

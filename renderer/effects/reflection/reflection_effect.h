@@ -24,7 +24,12 @@ class ReflectionEffect final : public RayEffect {
   void shade(const FrameView& view, const RayQueue& rays, const Hits& hits, RayQueue* next,
              EffectFrame& frame) override;
   // Section "shade": GBuffer::reflection, alpha 1 where a ray was answered.
-  void resolve(const FrameView& view, const RayQueue& first, const EffectFrame& frame, GBuffer& gbuffer) override;
+  void resolve(const FrameView& view, const RayQueue& first, const EffectFrame& frame, GBuffer& gbuffer) override {
+    resolve(view, first, frame, gbuffer, 1);
+  }
+  // The same for queues with several rays per pixel: the mean of those that were answered.
+  void resolve(const FrameView& view, const RayQueue& first, const EffectFrame& frame, GBuffer& gbuffer,
+               std::uint32_t slotsPerPixel);
 
  private:
   const gl::Program& shading(bool surfaces, bool next);

@@ -1,5 +1,6 @@
 // Shades what the rays found, with the lights of the deferred pass, adds it to the rays' slots and sends on the rays of
 // the next bounce.
+#include "lib/evaluate_surface.glsl"
 #include "lib/lights.glsl"
 #include "lib/scene.glsl"
 #include "lib/sky.glsl"

@@ -2,7 +2,7 @@
 // (Kastrati & Goswami 2017, figure 2). Only the textures that these need are read.
 #include "lib/fresnel.glsl"
 #include "lib/scene.glsl"
-#include "lib/surface.glsl"
+#include "lib/evaluate_surface.glsl"
 #include "lib/textures.glsl"
 
 struct StoredSurface {

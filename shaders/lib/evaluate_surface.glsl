@@ -1,0 +1,116 @@
+// What a material looks like at one point of a triangle: used by the G-buffer and by every traced hit.
+#include "lib/fresnel.glsl"
+#include "lib/surface.glsl"
+#include "lib/textures.glsl"
+
+// Turns a normal that faces away from the viewer just past the silhouette.
+vec3 faceViewer(vec3 normal, vec3 direction) {
+  const float grazing = 1e-3;
+  float away = dot(normal, direction);
+  return away > -grazing ? normalize(normal - (away + grazing) * direction) : normal;
+}
+
+// Change of the barycentrics (u, v) along a vector in the triangle's plane; `area` is cross(edge1, edge2).
+vec2 barycentricChange(vec3 edge1, vec3 edge2, vec3 area, vec3 along) {
+  return vec2(dot(cross(along, edge2), area), dot(cross(edge1, along), area)) / max(dot(area, area), 1e-37);
+}
+
+// The two axes of the ellipse that a cone of the given width cuts out of the surface (Akenine-Moller, Crassin,
+// Boksansky, Belcour, Panteleev, Wright, "Improved Shader and Texture Level of Detail Using Ray Cones", JCGT 2021).
+void coneFootprint(vec3 normal, vec3 direction, float width, out vec3 major, out vec3 minor) {
+  vec3 along = direction - dot(normal, direction) * normal;
+  // Straight on, any axis will do.
+  if (dot(along, along) < 1e-8) along = abs(normal.x) < 0.7 ? cross(normal, vec3(1, 0, 0)) : cross(normal, vec3(0, 1, 0));
+  vec3 across = cross(normal, along);
+  major = along * (width / max(length(along - dot(direction, along) * direction), 1e-4 * length(along)));
+  minor = across * (width / max(length(across - dot(direction, across) * direction), 1e-4 * length(across)));
+}
+
+// direction: unit, travelling towards the surface. coneWidth: diameter of the ray's cone at the surface, metres.
+Surface evaluateSurface(uint triangle, vec2 barycentrics, vec3 direction, float coneWidth) {
+  uvec4 corners = triangles[triangle];
+  vec3 a, b, c;
+  trianglePositions(triangle, a, b, c);
+  vec3 edge1 = b - a, edge2 = c - a;
+  vec3 weights = vec3(1.0 - barycentrics.x - barycentrics.y, barycentrics);
+
+  Surface s;
+  s.position = a + barycentrics.x * edge1 + barycentrics.y * edge2;
+  vec3 area = cross(edge1, edge2);
+  float doubleArea = length(area);
+  s.geometricNormal = doubleArea > 0.0 ? area / doubleArea : -direction;
+  if (dot(s.geometricNormal, direction) > 0.0) s.geometricNormal = -s.geometricNormal;
+
+  mat3 normals = mat3(attributes[corners.x].normal, attributes[corners.y].normal, attributes[corners.z].normal);
+  mat3 tangents = mat3(attributes[corners.x].tangent, attributes[corners.y].tangent, attributes[corners.z].tangent);
+  vec3 bitangentSigns = vec3(attributes[corners.x].bitangentSign, attributes[corners.y].bitangentSign,
+                             attributes[corners.z].bitangentSign);
+  // Both uv sets, xy and zw.
+  mat3x4 uvs = mat3x4(vec4(attributes[corners.x].uv0, attributes[corners.x].uv1),
+                      vec4(attributes[corners.y].uv0, attributes[corners.y].uv1),
+                      vec4(attributes[corners.z].uv0, attributes[corners.z].uv1));
+  vec4 vertexColor = mat3x4(attributes[corners.x].color, attributes[corners.y].color, attributes[corners.z].color) *
+                     weights;
+  vec3 vertexNormal = normals * weights;
+  vec3 tangent = tangents * weights;
+  float bitangentSign = bitangentSigns.x * weights.x + bitangentSigns.y * weights.y + bitangentSigns.z * weights.z;
+
+  vec3 major, minor;
+  coneFootprint(s.geometricNormal, direction, coneWidth, major, minor);
+  vec2 changeX = barycentricChange(edge1, edge2, area, major);
+  vec2 changeY = barycentricChange(edge1, edge2, area, minor);
+  vec4 coordinates = uvs * weights;
+  vec4 uvEdge1 = uvs[1] - uvs[0];
+  vec4 uvEdge2 = uvs[2] - uvs[0];
+  vec4 ddx = changeX.x * uvEdge1 + changeX.y * uvEdge2;
+  vec4 ddy = changeY.x * uvEdge1 + changeY.y * uvEdge2;
+
+  uint m = corners.w;
+  uint flags = materials[m].flags;
+  bool mirror = (flags & MATERIAL_MIRROR) != 0u;
+  vec4 texels[7] = vec4[7](vec4(1.0), vec4(1.0), vec4(1.0), vec4(1.0), vec4(1.0), vec4(1.0), vec4(1.0));
+  // Only the textures that there are, in a loop that cannot be unrolled: the sampling code is large, and software
+  // rasterizers execute both sides of every branch.
+  uint pending = flags >> MATERIAL_TEXTURES_SHIFT;
+  while (pending != 0u) {
+    int use = findLSB(pending);
+    pending &= pending - 1u;
+    GpuTexture binding = materials[m].textures[use];
+    bool second = (binding.sampling & SAMPLING_UV_SET) != 0u;
+    texels[use] = sampleTexture(binding, second ? coordinates.zw : coordinates.xy, second ? ddx.zw : ddx.xy,
+                                second ? ddy.zw : ddy.xy);
+  }
+
+  s.unlit = (flags & MATERIAL_UNLIT) != 0u && !mirror;
+  s.baseColor = (materials[m].baseColor * vertexColor * texels[TEXTURE_BASE_COLOR]).rgb;
+  s.emissive = materials[m].emissive * texels[TEXTURE_EMISSIVE].rgb;
+  s.roughness = clamp(materials[m].roughness * texels[TEXTURE_METALLIC_ROUGHNESS].g, 0.0, 1.0);
+  s.metallic = clamp(materials[m].metallic * texels[TEXTURE_METALLIC_ROUGHNESS].b, 0.0, 1.0);
+  s.occlusion = 1.0 + materials[m].occlusionStrength * (texels[TEXTURE_OCCLUSION].r - 1.0);
+  vec3 dielectric = min(materials[m].dielectricF0 * materials[m].specularColor * texels[TEXTURE_SPECULAR_COLOR].rgb,
+                        vec3(1.0)) *
+                    (materials[m].specularFactor * texels[TEXTURE_SPECULAR].a);
+  s.f0 = mix(dielectric, s.baseColor, s.metallic);
+
+  // Degenerate attributes fall back to the triangle itself.
+  vec3 normal = dot(vertexNormal, vertexNormal) > 1e-12 ? normalize(vertexNormal) : s.geometricNormal;
+  float side = dot(normal, s.geometricNormal) < 0.0 ? -1.0 : 1.0;
+  if (mirror) {
+    s.f0 = vec3(materials[m].mirror);
+    s.roughness = 0.0;
+    s.metallic = 0.0;
+  } else if (materials[m].textures[TEXTURE_NORMAL].location != NO_TEXTURE) {
+    vec3 mapped = texels[TEXTURE_NORMAL].xyz * 2.0 - 1.0;
+    mapped.xy *= materials[m].normalScale;
+    vec3 along = tangent - dot(tangent, normal) * normal;
+    if (dot(along, along) > 1e-12) {
+      along = normalize(along);
+      vec3 bitangent = cross(normal, along) * (bitangentSign < 0.0 ? -1.0 : 1.0);
+      vec3 bumped = mapped.x * along + mapped.y * bitangent + mapped.z * normal;
+      if (dot(bumped, bumped) > 1e-12) normal = normalize(bumped);
+    }
+  }
+  s.normal = faceViewer(side * normal, direction);
+  s.reflectivity = s.unlit ? 0.0 : luminance(s.f0) * roughnessFade(s.roughness);
+  return s;
+}
