@@ -1,5 +1,6 @@
 // What a point of a ray sees of the fragments in its texel, and whether there is a surface between two points.
 #include "lib/scene.glsl"
+#include "lib/triangles.glsl"
 #include "lib/when.glsl"
 #include "tracing/attributes/entry.glsl"
 #include "tracing/attributes/page_cursor.glsl"

@@ -1,9 +1,10 @@
 // What a fragment of the attribute methods keeps of its surface: base color, interpolated normal and reflectivity
 // (Kastrati & Goswami 2017, figure 2). Only the textures that these need are read.
+#include "lib/evaluate_surface.glsl"
 #include "lib/fresnel.glsl"
 #include "lib/scene.glsl"
-#include "lib/evaluate_surface.glsl"
 #include "lib/textures.glsl"
+#include "lib/triangles.glsl"
 
 struct StoredSurface {
   vec3 baseColor;

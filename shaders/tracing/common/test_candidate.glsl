@@ -2,6 +2,7 @@
 // has no say. Backs of single-sided materials and holes are passed through.
 #include "lib/alpha.glsl"
 #include "lib/scene.glsl"
+#include "lib/triangles.glsl"
 #include "lib/when.glsl"
 #include "shared/structs.h"
 #include "tracing/common/ray_triangle.glsl"

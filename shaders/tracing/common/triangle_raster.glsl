@@ -5,7 +5,7 @@
 // in the projection, grown by half a texel's diagonal. It covers every texel that the triangle touches, whatever the
 // triangle's shape (no acute corners to blow up, unlike shifted edges, Hasselgren et al. 2005); the fragment shader
 // rejects what it covers in excess.
-#include "lib/scene.glsl"
+#include "lib/triangles.glsl"
 #include "tracing/common/grid.glsl"
 #include "tracing/common/triangle_normal.glsl"
 

@@ -3,7 +3,7 @@
 // integers: unlike a moving average they do not depend on the order of the fragments.
 #include "shared/passes/voxelize.h"
 #include "shared/tracing.h"
-#include "lib/scene.glsl"
+#include "lib/triangles.glsl"
 #include "tracing/common/grid.glsl"
 #include "tracing/common/mark_voxel.glsl"
 #include "tracing/common/texel_overlap.glsl"

@@ -1,7 +1,7 @@
 // A candidate's entries in the lists of requested bricks: counted, then stored. Both steps are one program, so that
 // they see the same fragments whatever the compiler makes of the arithmetic.
 #define RUN_ACCESS
-#include "lib/scene.glsl"
+#include "lib/triangles.glsl"
 #include "shared/tracing.h"
 #include "tracing/common/counters.glsl"
 #include "tracing/common/texel_overlap.glsl"

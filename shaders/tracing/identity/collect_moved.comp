@@ -1,5 +1,5 @@
 // Collects the triangles with a moved vertex. One invocation per triangle.
-#include "lib/scene.glsl"
+#include "lib/triangles.glsl"
 #include "tracing/identity/candidates.glsl"
 
 uniform uint firstVertex;

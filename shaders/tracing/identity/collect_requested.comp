@@ -1,5 +1,5 @@
 // Collects the triangles that may touch a requested brick. One invocation per triangle.
-#include "lib/scene.glsl"
+#include "lib/triangles.glsl"
 #include "shared/passes/identity.h"
 #include "tracing/common/grid.glsl"
 #include "tracing/identity/bricks.glsl"

@@ -1,5 +1,5 @@
 // Bricks that a moved triangle comes to are marked, and their runs given up. Voxels are whole bricks here.
-#include "lib/scene.glsl"
+#include "lib/triangles.glsl"
 #include "shared/passes/identity.h"
 #include "tracing/common/mark_voxel.glsl"
 #include "tracing/common/texel_overlap.glsl"
