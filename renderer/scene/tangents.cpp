@@ -15,7 +15,9 @@ struct Key {
   glm::vec3 position, normal;
   glm::vec2 uv;
   float orientation;
-  bool operator==(const Key& other) const { return std::memcmp(this, &other, sizeof(Key)) == 0; }
+  bool operator==(const Key& other) const {
+    return std::memcmp(this, &other, sizeof(Key)) == 0;  // NOLINT(*-memory-comparison): equal bytes are what is asked
+  }
 };
 static_assert(sizeof(Key) == 9 * sizeof(float), "keys are compared as bytes");
 
@@ -85,7 +87,7 @@ std::vector<std::uint32_t> makeTangents(std::vector<Vertex>& vertices, std::span
       if (orientation[index] != frame.sign) {
         const auto [found, added] = mirror.try_emplace(index, static_cast<std::uint32_t>(vertices.size()));
         if (added) {
-          vertices.push_back(Vertex(vertices[index]));
+          vertices.push_back(vertices[index]);
           orientation.push_back(frame.sign);
           copied.push_back(index);
         }
