@@ -174,11 +174,12 @@ INSTANTIATE_TEST_SUITE_P(KeepingMethods, KeptStructureTest, ::testing::Values("e
 class SettingsChangeTest : public TracingTest {
  protected:
   Renderer countingRenderer() {
+    const auto make = [this, exact = makeExactTracerFactory(scene_, 2)](const gl::Api& gl, const Settings& settings) {
+      ++tracers_;
+      return exact(gl, settings);
+    };
     Renderer renderer([this](const char* name) { return context.getProcAddress()(name); },
-                      [this, make = makeExactTracerFactory(scene_, 2)](const gl::Api& gl, const Settings& settings) {
-                        ++tracers_;
-                        return make(gl, settings);
-                      });
+                      {{methodInfo("exact"), make}});
     renderer.setScene(scene_);
     return renderer;
   }
