@@ -1,12 +1,12 @@
 #include <CLI/CLI.hpp>
 
 #include "apps/commands.h"
-#include "bench/coverage.h"
-#include "bench/memory.h"
-#include "bench/mode.h"
-#include "bench/pareto.h"
-#include "bench/scaling.h"
-#include "bench/stability.h"
+#include "bench/modes/coverage/coverage.h"
+#include "bench/modes/memory/memory.h"
+#include "bench/modes/mode.h"
+#include "bench/modes/pareto/pareto.h"
+#include "bench/modes/scaling/scaling.h"
+#include "bench/modes/stability/stability.h"
 
 int main(int argc, char** argv) {
   using namespace halfsilver::bench;

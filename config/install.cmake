@@ -14,8 +14,8 @@ foreach(name IN ITEMS renderer builtin io context exact)
   endif()
 endforeach()
 
-# The public headers and nothing else: those of a component with it, all others with the renderer. The structs that
-# shaders share are public, too: a tracer of the caller's own reads rays and writes hits.
+# The public headers and nothing else: those of a component with it, all others with the renderer. The structs shared
+# with shaders are public too, since a caller's own tracer reads rays and writes hits.
 install(DIRECTORY renderer/include/halfsilver/ DESTINATION ${header_folder} COMPONENT renderer
         FILES_MATCHING PATTERN "*.h"
         PATTERN builtin.h EXCLUDE PATTERN io.h EXCLUDE PATTERN context.h EXCLUDE PATTERN exact.h EXCLUDE)

@@ -1,6 +1,6 @@
 # How the project's own targets are made.
 
-# Language level and warnings of our own code; nothing of it reaches those who link.
+# Language level and warnings of our own code; nothing of it reaches code that links to us.
 function(halfsilver_own_code target)
   target_compile_features(${target} PUBLIC cxx_std_20)
   target_compile_options(${target} PRIVATE

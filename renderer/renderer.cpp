@@ -59,9 +59,10 @@ struct Renderer::Impl {
   };
   std::array<Frame, kFrames> frames;
   std::array<FrameRecord, kRecords> records{FrameRecord(api), FrameRecord(api), FrameRecord(api)};
-  std::deque<Work> underWay;           // the oldest first
-  std::optional<Work> finished;        // the newest
-  std::deque<std::size_t> unreported;  // records of finished frames, the oldest first
+  std::deque<Work> underWay;            // the oldest first
+  std::optional<std::size_t> shown;     // the frame that finished last, until another one takes its memory
+  std::optional<std::size_t> reported;  // the record of the frame that finished last
+  std::deque<std::size_t> unreported;   // records of finished frames, the oldest first
   std::size_t nextRecord = 0;
 
   FrameView viewOf(Frame& frame, gl::Profiler& profiler) const {
@@ -82,8 +83,6 @@ void Renderer::Impl::useTracer(const Settings& wanted) {
     tracerSettings = wanted;
     return;
   }
-  if (!underWay.empty())
-    throw Error(ErrorKind::usage, "begin(): the settings need another tracer while a frame is under way");
   tracer.reset();  // its memory goes before the new one's comes
   tracerSettings.reset();
   tracer = makeTracer(api, wanted, methods);
@@ -135,12 +134,14 @@ void Renderer::Impl::begin(const Camera& camera, const Settings& wanted, int wid
   if (!hasScene) throw Error(ErrorKind::usage, "begin() needs a scene: call setScene() first");
   if (underWay.size() == kFrames)
     throw Error(ErrorKind::usage, "begin(): two frames are under way, finish() one first");
+  if (!underWay.empty() && (!sameTracer(api, *tracerSettings, wanted, methods) || shadowSettings != wanted.shadow))
+    throw Error(ErrorKind::usage,
+                "begin(): the settings need another tracer or other shadow maps while a frame is under way");
   if (width < 1 || height < 1 || width > api.limits.framebufferSize || height > api.limits.framebufferSize)
     throw Error(ErrorKind::usage, "a picture of " + std::to_string(width) + " x " + std::to_string(height) +
                                       " is beyond the device's limits (1 to " +
                                       std::to_string(api.limits.framebufferSize) + ")");
   const Work work{underWay.empty() ? 0 : 1 - underWay.front().frame, nextRecord};
-  if (finished && finished->frame == work.frame) finished.reset();
   std::erase(unreported, work.record);
   Frame& frame = frames[work.frame];
   FrameRecord& record = records[work.record];
@@ -148,8 +149,11 @@ void Renderer::Impl::begin(const Camera& camera, const Settings& wanted, int wid
   const auto section = record.profiler().section("frame");
   useTracer(wanted);
   drawShadows(wanted, record.profiler());
+  const shared::FrameConstants constants =
+      makeFrameConstants(camera, scene.bounds, sky, wanted, width, height, shadows.lightCount);
+  if (shown == work.frame) shown.reset();
   frame.settings = wanted;
-  frame.host = makeFrameConstants(camera, scene.bounds, sky, wanted, width, height, shadows.lightCount);
+  frame.host = constants;
   if (!frame.constants) frame.constants = gl::Buffer(api, sizeof(frame.host), "frame constants");
   frame.constants.write(0, &frame.host, sizeof(frame.host));
 
@@ -198,7 +202,8 @@ void Renderer::Impl::finish(const Target& target) {
   std::size_t peak = scene.bytes() + shadows.lights.bytes() + shadows.maps.bytes();
   for (const Frame& each : frames) peak += each.bytes();
   record.end(frame, tracer.get(), peak, std::move(warnings));
-  finished = work;
+  shown = work.frame;
+  reported = work.record;
   unreported.push_back(work.record);
 }
 
@@ -228,7 +233,8 @@ void Renderer::setScene(const Scene& scene) {
   if (!r.underWay.empty()) throw Error(ErrorKind::usage, "setScene(): a frame is under way, finish() it first");
   const gl::StateGuard guard(r.api);
   r.hasScene = false;
-  r.finished.reset();
+  r.shown.reset();
+  r.reported.reset();
   r.unreported.clear();
   r.tracer.reset();  // it knows the old scene
   r.tracerSettings.reset();
@@ -279,10 +285,10 @@ void Renderer::render(const Camera& camera, const Settings& settings, const Targ
 
 FrameReport Renderer::report() {
   Impl& r = *impl_;
-  if (!r.finished) throw Error(ErrorKind::usage, "report() needs a finished frame: call render() first");
+  if (!r.reported) throw Error(ErrorKind::usage, "report() needs a finished frame: call render() first");
   const gl::StateGuard guard(r.api);
-  std::erase(r.unreported, r.finished->record);
-  return r.records[r.finished->record].report();
+  std::erase(r.unreported, *r.reported);
+  return r.records[*r.reported].report();
 }
 
 std::optional<FrameReport> Renderer::arrivedReport() {
@@ -304,9 +310,9 @@ std::vector<std::string> Renderer::reloadShaders() {
 
 Image Renderer::readLayers() const {
   Impl& r = *impl_;
-  if (!r.finished) throw Error(ErrorKind::usage, "readLayers() needs a finished frame: call render() first");
+  if (!r.shown) throw Error(ErrorKind::usage, "readLayers() needs a finished frame whose memory no begin() has taken");
   const gl::StateGuard guard(r.api);
-  Frame& frame = r.frames[r.finished->frame];
+  Frame& frame = r.frames[*r.shown];
   const gl::Texture linear(r.api, {.format = GL_RGBA32F, .width = frame.gbuffer.width, .height = frame.gbuffer.height},
                            "linear picture");
   const gl::Framebuffer framebuffer(r.api);

@@ -8,7 +8,7 @@
 
 namespace halfsilver::testing {
 
-// Where the shared scene of this name would be: below $HALFSILVER_SCENES, or ../shared/scenes beside the project.
+// Path of the shared scene with this name: below $HALFSILVER_SCENES, or ../shared/scenes beside the project.
 inline std::filesystem::path sharedScene(const std::string& name) {
   const char* folder = std::getenv("HALFSILVER_SCENES");
   if (folder) return std::filesystem::path(folder) / name;
@@ -17,6 +17,6 @@ inline std::filesystem::path sharedScene(const std::string& name) {
 
 }  // namespace halfsilver::testing
 
-// Skips the test out loud where the path does not exist.
+// Skips the test, with a message, if the path does not exist.
 #define HALFSILVER_REQUIRE_SCENE(path) \
   if (!std::filesystem::exists(path)) GTEST_SKIP() << "shared scene is absent: " << (path).string()

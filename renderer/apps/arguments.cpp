@@ -9,7 +9,7 @@
 namespace halfsilver {
 namespace {
 
-constexpr int kMostPixels = 16384;  // along an edge
+constexpr int kMaxPixels = 16384;  // along an edge
 
 template <class T>
 bool parseNumber(std::string_view text, T& value) {
@@ -18,7 +18,7 @@ bool parseNumber(std::string_view text, T& value) {
   return result.ec == std::errc() && result.ptr == end;
 }
 
-// Finite numbers between commas; empty where one is not.
+// Finite numbers between commas; empty if one is not a finite number.
 std::vector<double> parseNumbers(std::string_view text) {
   std::vector<double> numbers;
   while (true) {
@@ -40,10 +40,10 @@ std::vector<double> parseNumbers(std::string_view text) {
 Size parseSize(std::string_view text) {
   Size size;
   const std::size_t cross = text.find('x');
-  const auto valid = [](int n) { return n >= 1 && n <= kMostPixels; };
+  const auto valid = [](int n) { return n >= 1 && n <= kMaxPixels; };
   if (cross == text.npos || !parseNumber(text.substr(0, cross), size.width) ||
       !parseNumber(text.substr(cross + 1), size.height) || !valid(size.width) || !valid(size.height))
-    reject("--size", text, "WIDTHxHEIGHT with both from 1 to " + std::to_string(kMostPixels));
+    reject("--size", text, "WIDTHxHEIGHT with both from 1 to " + std::to_string(kMaxPixels));
   return size;
 }
 
@@ -54,7 +54,7 @@ glm::dvec3 parseVector(std::string_view option, std::string_view text) {
 }
 
 MirrorArgument parseMirror(std::string_view text) {
-  // The last equals sign: a material's name may hold one.
+  // The last equals sign: a material's name may contain one.
   const std::size_t equals = text.rfind('=');
   MirrorArgument mirror;
   if (equals == text.npos || equals == 0 || !parseNumber(text.substr(equals + 1), mirror.reflectivity) ||

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-// The texts of the command line as values. Each throws Error (usage) that names the option and what it takes.
+// Parses the values of options. Each function throws Error (usage) that names the option and what it takes.
 namespace halfsilver {
 
 struct Size {
@@ -30,7 +30,7 @@ struct ViewArgument {
   std::optional<double> fov;     // vertical, degrees
 };
 
-ViewArgument parseView(std::string_view text);  // "sponza.glb=13,1.2,0.4,-5,2.6,-0.2,60"; the last may be missing
+ViewArgument parseView(std::string_view text);  // "sponza.glb=13,1.2,0.4,-5,2.6,-0.2,60"; the last is optional
 
 struct SettingArgument {
   std::string name, value;

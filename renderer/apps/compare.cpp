@@ -41,16 +41,17 @@ void addCompareCommand(CLI::App& program) {
   CLI::App* command = program.add_subcommand("compare", "Measure how far an image is from a reference");
   const auto request = std::make_shared<CompareRequest>();
   command->add_option("IMAGE", request->image, "The image to judge: PNG, EXR, ...")->required();
-  command->add_option("REFERENCE", request->reference, "What it should be: the second file is the truth")->required();
-  command->add_flag("--json", request->json, "Print JSON; psnr_db is null where the files are equal");
-  command->add_option("--diagonal", request->diagonal, "Scene diagonal in metres, for layer files that do not say it")
+  command->add_option("REFERENCE", request->reference, "The image to compare it with, taken as correct")->required();
+  command->add_flag("--json", request->json, "Print JSON; psnr_db is null if the images are equal");
+  command
+      ->add_option("--diagonal", request->diagonal,
+                   "Diagonal of the scene in meters, if the layer files do not contain it")
       ->check(CLI::PositiveNumber);
   command->footer(
-      "rmse, psnr_db and max_error are over R, G and B in the files' own values (PNG: display values 0..1; EXR: linear "
-      "radiance).\nThe Yee figures are OpenImageIO's perceptual comparison. Where both are layer files, hit_error and "
-      "the "
-      "figures after it are shares of the pixels\nselected in either file: false_miss is a hit in REFERENCE only, "
-      "false_hit a hit in IMAGE only.");
+      "rmse, psnr_db and max_error compare R, G and B as stored (PNG: display values 0..1; EXR: linear radiance).\n"
+      "yee_failures and yee_fail_fraction are OpenImageIO's perceptual comparison. If both are layer files, hit_error "
+      "and\nthe figures after it are fractions of the pixels selected in either file: false_miss is a hit in REFERENCE "
+      "only,\nfalse_hit a hit in IMAGE only.");
   command->callback([request] { compare(*request); });
 }
 

@@ -7,8 +7,8 @@
 namespace halfsilver {
 namespace {
 
-// First draws compile shaders, and some methods size their pool by the frame before.
-constexpr int kMostFirstFrames = 4;
+// The first draw compiles shaders, and some methods size their pool by the previous frame.
+constexpr int kMaxFirstFrames = 4;
 
 }  // namespace
 
@@ -34,11 +34,11 @@ int drawFirstFrame(Renderer& renderer, const Camera& camera, const Settings& set
   do {
     renderer.render(camera, settings, target);
     report = renderer.report();
-    // Shadow maps are drawn in the very first of them only.
+    // Only the very first one draws shadow maps.
     for (const StageTime& time : report.times)
       if (time.stage == "shadow" && drawn == 0) shadow.push_back(time);
     ++drawn;
-  } while (report.lostFragments > 0 && drawn < kMostFirstFrames);
+  } while (report.lostFragments > 0 && drawn < kMaxFirstFrames);
   if (drawn > 1) report.times.insert(report.times.end(), shadow.begin(), shadow.end());
   return drawn;
 }

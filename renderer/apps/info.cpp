@@ -33,7 +33,7 @@ const char* lightTypeName(LightType type) {
   return type == LightType::directional ? "directional" : type == LightType::point ? "point" : "spot";
 }
 
-// A float as the shortest decimal that reads back as it: 0.9, not 0.8999999761581421.
+// The shortest decimal that reads back as the same float: 0.9, not 0.8999999761581421.
 double shortest(double value) {
   char text[32];
   const auto end = std::to_chars(text, text + sizeof(text), static_cast<float>(value)).ptr;
@@ -150,10 +150,11 @@ void addInfoCommand(CLI::App& program) {
     std::string scene;
     bool json = false;
   };
-  CLI::App* command = program.add_subcommand("info", "Say what a scene holds");
+  CLI::App* command = program.add_subcommand("info", "Show what a scene contains");
   const auto request = std::make_shared<Request>();
   command->add_option("SCENE", request->scene, ".gltf or .glb file, or builtin:NAME")->required();
-  command->add_flag("--json", request->json, "Print JSON, with every part (node and primitive) and its triangles");
+  command->add_flag("--json", request->json,
+                    "Print JSON, including every part (node and primitive) with its triangles");
   command->callback([request] {
     const Model model = loadScene(request->scene);
     const Json json = infoJson(request->scene, model);

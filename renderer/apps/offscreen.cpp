@@ -8,11 +8,11 @@
 namespace halfsilver {
 
 OffscreenTarget::OffscreenTarget(const gl::Api& api, const Size& size) : size_(size) {
-  const int most = std::min(api.limits.textureSize, api.limits.framebufferSize);
-  if (std::max(size.width, size.height) > most)
-    throw Error(ErrorKind::noContext, "this device draws at most " + std::to_string(most) +
-                                          " pixels along an edge, --size asks for " + std::to_string(size.width) + "x" +
-                                          std::to_string(size.height));
+  const int limit = std::min(api.limits.textureSize, api.limits.framebufferSize);
+  if (std::max(size.width, size.height) > limit)
+    throw Error(ErrorKind::noContext, "this device draws at most " + std::to_string(limit) +
+                                          " pixels along an edge, but --size asks for " + std::to_string(size.width) +
+                                          "x" + std::to_string(size.height));
   gl::Texture::Shape shape;
   shape.width = size.width;
   shape.height = size.height;

@@ -10,10 +10,10 @@
 
 namespace halfsilver {
 
-// An RGBA8 framebuffer of our own to draw into: contexts without a window have none.
+// An RGBA8 framebuffer to draw into: contexts without a window have none.
 class OffscreenTarget {
  public:
-  // Throws Error (noContext) where the device's limit is below the size.
+  // Throws Error (noContext) if the size is above the device's limit.
   OffscreenTarget(const gl::Api& api, const Size& size);
 
   Target target() const;

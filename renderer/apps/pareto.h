@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-// Which of several measured settings are worth having. Less is better in all three.
+// Which of several measured settings are worth having. Lower is better in all three figures.
 namespace halfsilver {
 
 struct Cost {
@@ -15,16 +15,16 @@ struct Cost {
   double error = 0;  // 0..1
 };
 
-// The points that no other beats: none is at least as good in time, memory and error and better in one of them. Equal
-// points stay together. Indices, by time, then memory, error and index.
+// Indices of the points that no other point beats, that is, is at least as good in time, memory and error and better in
+// one of them. Equal points are all kept. Sorted by time, then memory, error and index.
 std::vector<std::size_t> paretoFront(std::span<const Cost> points);
 
-// The fastest point with at most this error; of equally fast ones the smaller, then the first. Nothing where all have
-// more.
+// The fastest point with at most this error; among equally fast ones the smallest, then the first. Nothing if all have
+// a larger error.
 std::optional<std::size_t> fastestWithin(std::span<const Cost> points, double maxError);
 
-// Whether a point is beaten beyond the noise of timers: another has no more memory and error, and takes at most half
-// the time.
+// Whether a point is beaten by more than timer noise: another has no more memory and error, and takes at most half the
+// time.
 bool clearlyBeaten(const Cost& point, std::span<const Cost> others);
 
 }  // namespace halfsilver

@@ -26,7 +26,7 @@ int runCommand(CLI::App& program, int argc, const char* const* argv) {
   program.require_subcommand(1);
   program.footer(
       "Exit codes: 0 done, 1 failed while working, 2 wrong usage, 3 bad scene or configuration, "
-      "4 no usable GL context.");
+      "4 no usable OpenGL context.");
   try {
     program.parse(argc, argv);
   } catch (const CLI::Success& asked) {
@@ -41,13 +41,14 @@ int runCommand(CLI::App& program, int argc, const char* const* argv) {
     return report(program, ErrorKind::failed, error.what());
   }
   std::cout.flush();
-  return std::cout ? 0 : report(program, ErrorKind::failed, "the standard output cannot be written");
+  return std::cout ? 0 : report(program, ErrorKind::failed, "cannot write to standard output");
 }
 
 const char* version() { return HALFSILVER_VERSION; }
 
 int runProgram(int argc, const char* const* argv) {
-  CLI::App program("Rasterization with selective ray-traced reflections, without a display.", "halfsilver");
+  CLI::App program("Deferred rendering with selective ray-traced reflections on OpenGL 4.5; needs no display.",
+                   "halfsilver");
   addRenderCommand(program);
   addTuneCommand(program);
   addInfoCommand(program);

@@ -4,7 +4,7 @@
 
 namespace halfsilver {
 
-// One line on stderr that says what goes on; silent unless stderr is a terminal. Cleared on destruction.
+// One line of progress on stderr; silent unless stderr is a terminal. Cleared on destruction.
 class Progress {
  public:
   Progress();

@@ -41,15 +41,15 @@ std::string lowerExtension(const std::string& file) {
   return extension;
 }
 
-// The files of a run: all appear, or none.
+// The output files of a run: either all appear or none.
 class Outputs {
  public:
   explicit Outputs(const RenderRequest& request) {
     const std::string extension = lowerExtension(request.output);
     if (extension != ".png" && extension != ".exr")
-      throw Error(ErrorKind::usage, "-o " + request.output + ": the picture is a .png or .exr file");
+      throw Error(ErrorKind::usage, "-o " + request.output + ": the picture must be a .png or .exr file");
     if (!request.layers.empty() && lowerExtension(request.layers) != ".exr")
-      throw Error(ErrorKind::usage, "--layers " + request.layers + ": layers are an .exr file");
+      throw Error(ErrorKind::usage, "--layers " + request.layers + ": layers must be an .exr file");
     linear_ = extension == ".exr";
     add(picture_, request.output);
     add(stats_, request.stats);
@@ -66,7 +66,7 @@ class Outputs {
   void writeLayers(const Image& layers, double diagonal) {
     if (layers_) layers_->write(encodeExr(layers, diagonal));
   }
-  // Every file was written whole before: what is left is a rename each.
+  // Every file is complete by now: all that is left is to rename them.
   void commit() {
     for (std::optional<AtomicFile>* file : {&layers_, &stats_, &picture_})
       if (*file) (*file)->commit();
@@ -77,7 +77,7 @@ class Outputs {
     if (path.empty()) return;
     const std::filesystem::path absolute = std::filesystem::weakly_canonical(std::filesystem::absolute(path));
     if (std::find(paths_.begin(), paths_.end(), absolute) != paths_.end())
-      throw Error(ErrorKind::usage, path + " is named for two outputs");
+      throw Error(ErrorKind::usage, path + " is given for two outputs");
     paths_.push_back(absolute);
     file.emplace(path);
   }
@@ -92,12 +92,12 @@ void addWarnings(const std::vector<std::string>& from, std::vector<std::string>&
     if (std::find(to.begin(), to.end(), warning) == to.end()) to.push_back(warning);
 }
 
-// Frames that a budget may take to settle down.
-constexpr int kMostBudgetFrames = 60;
+// Frames that a budget may take to settle.
+constexpr int kMaxBudgetFrames = 60;
 
-// The frames of a run: the first one, as often as its structure needs to find its size; where there is a budget, more
-// until it is at rest; then the measured ones, if any. Where none are asked for, the last of the others is the picture,
-// and its times are told as what they are.
+// The frames of a run: the first one, repeated until its structure has found its size; with a budget, more until it is
+// at rest; then the measured ones, if any. If none are asked for, the last frame so far is the picture and its times
+// are reported as those of a first frame.
 class Frames {
  public:
   Frames(Renderer& renderer, const Camera& camera, const Target& target, const RenderRequest& request,
@@ -107,7 +107,7 @@ class Frames {
     BudgetLimits limits;
     if (request.budgetMilliseconds) limits.milliseconds = *request.budgetMilliseconds;
     if (request.budgetMegabytes) limits.bytes = 1e6 * *request.budgetMegabytes;
-    limits.leastContribution = statistics.settings.select.minContribution;
+    limits.minContribution = statistics.settings.select.minContribution;
     budget_.emplace(limits);
     statistics.budget = {.limits = limits};
   }
@@ -121,7 +121,7 @@ class Frames {
     clock.lap("first_frame");
     const std::vector<StageTime> firstTimes = pictureTimes;
     if (budget_) {
-      for (int i = 0; i < kMostBudgetFrames && !budget_->atRest(); ++i, ++warmUp) {
+      for (int i = 0; i < kMaxBudgetFrames && !budget_->atRest(); ++i, ++warmUp) {
         progress.show("budget, frame " + std::to_string(i + 1));
         drawNext();
       }
@@ -143,7 +143,7 @@ class Frames {
       statistics_->budget->held += budget_->held();
     }
     if (repeat == 0) times.add(pictureTimes);
-    // What only the first frame did has only its time to tell: shadow maps, and structures that are kept.
+    // Stages that only the first frame ran (shadow maps, structures that are kept) are reported with its time.
     for (const StageTime& time : firstTimes)
       if (!times.has(time.stage)) times.add(std::span(&time, 1));
     statistics_->stages = times.summarize();
@@ -171,11 +171,11 @@ class Frames {
   void warnOfLosses() {
     const FrameReport& report = statistics_->report;
     if (statistics_->budget && statistics_->budget->held < statistics_->budget->frames)
-      addWarnings({"the budget was not held in every frame"}, statistics_->warnings);
+      addWarnings({"not every frame stayed within the budget"}, statistics_->warnings);
     if (report.overflow > 0)
       addWarnings({std::to_string(report.overflow) + " rays were given up (hit.T -3)"}, statistics_->warnings);
     if (report.lostFragments > 0)
-      addWarnings({std::to_string(report.lostFragments) + " fragments found no room in the A-buffer"},
+      addWarnings({std::to_string(report.lostFragments) + " fragments did not fit into the A-buffer"},
                   statistics_->warnings);
   }
 
@@ -186,7 +186,7 @@ class Frames {
   std::optional<Budget> budget_;
 };
 
-// The last frame, encoded under temporary names.
+// Writes the last frame under temporary names.
 void writePictures(const Renderer& renderer, const OffscreenTarget& target, const Size& size, double diagonal,
                    Outputs& outputs) {
   const Image layers = outputs.wantsLayers() ? renderer.readLayers() : Image{};
@@ -206,12 +206,12 @@ void writePictures(const Renderer& renderer, const OffscreenTarget& target, cons
 
 void checkBudget(const char* option, const std::optional<double>& limit) {
   if (limit && !(*limit > 0 && std::isfinite(*limit)))
-    throw Error(ErrorKind::usage, std::string(option) + " must be a number above 0");
+    throw Error(ErrorKind::usage, std::string(option) + " must be a number greater than 0");
 }
 
 void render(const RenderRequest& request) {
   WallClock clock;
-  // All that can be wrong with the request itself, before any long work.
+  // First everything that can be wrong with the request itself, before any long work.
   checkBudget("--budget-ms", request.budgetMilliseconds);
   checkBudget("--budget-mb", request.budgetMegabytes);
   const ViewArguments arguments = checkView(request.view);
@@ -258,35 +258,35 @@ void render(const RenderRequest& request) {
 
   progress.clear();
   for (const std::string& warning : statistics.warnings) std::cerr << "warning: " << warning << '\n';
-  // The table goes first: where it cannot be written, the run fails, and a failed run leaves no files.
+  // The table comes first: if it cannot be written the run fails, and a failed run leaves no files.
   if (!(std::cout << toTable(statistics) << std::flush)) throw Error(ErrorKind::failed, "cannot write the table");
   outputs.commit();
 }
 
 void addOutputOptions(CLI::App& command, RenderRequest& request) {
   command.add_option("-o,--output", request.output, "Picture: .png (tone-mapped sRGB) or .exr (linear)")->required();
-  command.add_option("--stats", request.stats, "Statistics as JSON");
+  command.add_option("--stats", request.stats, "Write statistics as JSON to this file");
   command.add_option("--layers", request.layers,
-                     "All layers in one .exr: depth, normal, selected, hit, reflection, ...");
+                     "Write all layers to one .exr file: depth, normal, selected, hit, reflection, ...");
 }
 
 }  // namespace
 
 void addRenderCommand(CLI::App& program) {
-  CLI::App* command = program.add_subcommand("render", "Draw one picture of a scene");
+  CLI::App* command = program.add_subcommand("render", "Render one picture of a scene");
   const auto shared = std::make_shared<RenderRequest>();
   RenderRequest& request = *shared;
   addOutputOptions(*command, request);
   addViewOptions(*command, request.view);
   command
       ->add_option("--repeat", request.repeat,
-                   "Frames measured after the first one; times are medians (default: 1 with --stats, else the first "
-                   "frame is the picture)")
+                   "Frames to measure after the first one; times are medians (default: 1 with --stats, otherwise "
+                   "none, and the picture is the first frame)")
       ->check(CLI::Range(1, 100000));
   command->add_option("--budget-ms", request.budgetMilliseconds,
-                      "Milliseconds of a frame; reflections that contribute least go until it holds");
+                      "Time limit per frame in milliseconds; drops the least visible reflections until it is met");
   command->add_option("--budget-mb", request.budgetMegabytes,
-                      "Megabytes of the structure that is traced, in the same way");
+                      "Memory limit of the acceleration structure in megabytes, met in the same way");
   command->callback([shared] { render(*shared); });
 }
 

@@ -35,7 +35,7 @@ Camera cameraFromWorld(const Scene& scene, const glm::dvec3& eye, const glm::dve
   camera.name = "command line";
   camera.eye = glm::vec3(eye - scene.origin);
   camera.target = glm::vec3(target - scene.origin);
-  // Looking straight up or down, the top of the picture is -z, as on a map.
+  // If the view is straight up or down, the top of the picture is -z, as on a map.
   if (std::abs(direction.y) > 0.9999 * length) camera.up = glm::vec3(0, 0, -1);
   return camera;
 }
@@ -64,8 +64,8 @@ void applyMirrors(Scene& scene, std::span<const MirrorArgument> mirrors) {
 }
 
 Camera chooseCamera(const Scene& scene, const CameraRequest& request) {
-  if (request.eye.has_value() != request.target.has_value()) reject("--eye and --target go together");
-  if (request.eye && !request.name.empty()) reject("--camera and --eye exclude each other");
+  if (request.eye.has_value() != request.target.has_value()) reject("--eye and --target must be given together");
+  if (request.eye && !request.name.empty()) reject("--camera and --eye cannot be combined");
   Camera camera;
   if (request.eye)
     camera = cameraFromWorld(scene, *request.eye, *request.target);
@@ -81,10 +81,10 @@ Camera chooseCamera(const Scene& scene, const CameraRequest& request) {
 }
 
 std::string listNames(const std::vector<std::string>& names) {
-  constexpr std::size_t most = 40;
+  constexpr std::size_t max = 40;
   std::string list;
-  for (std::size_t i = 0; i < std::min(names.size(), most); ++i) list += (i ? ", " : "") + names[i];
-  if (names.size() > most) list += " and " + std::to_string(names.size() - most) + " more";
+  for (std::size_t i = 0; i < std::min(names.size(), max); ++i) list += (i ? ", " : "") + names[i];
+  if (names.size() > max) list += " and " + std::to_string(names.size() - max) + " more";
   return list;
 }
 

@@ -28,7 +28,7 @@ struct CameraRequest {
 // and 180.
 Camera chooseCamera(const Scene& scene, const CameraRequest& request);
 
-// "a, b, c", shortened where it is long.
+// "a, b, c", shortened if it is long.
 std::string listNames(const std::vector<std::string>& names);
 
 }  // namespace halfsilver

@@ -14,7 +14,7 @@ StageSummary summarizeStage(const std::string& stage, const std::vector<double>&
   std::vector<double> valid;
   for (const double sample : samples)
     if (sample >= 0) valid.push_back(sample);
-  // Two runs do not tell which of them is the outlier.
+  // With two runs nobody can tell which is the outlier.
   if (valid.size() >= 3)
     std::erase_if(valid, [limit = 10 * median(valid)](double v) { return limit > 0 && v > limit; });
   StageSummary summary{stage, median(valid), 0, 0, valid.size(), samples.size() - valid.size()};
@@ -59,7 +59,7 @@ double coverage(const FrameReport& report) {
   return report.pixels ? static_cast<double>(report.selected) / static_cast<double>(report.pixels) : 0;
 }
 
-// null stands for a limit that was not given.
+// null: no such limit was given.
 Json budgetJson(const BudgetSummary& budget) {
   const auto limit = [](double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); };
   return {{"milliseconds", limit(budget.limits.milliseconds)},
@@ -76,9 +76,10 @@ std::string budgetLine(const BudgetSummary& budget, const FrameReport& report) {
   if (std::isfinite(budget.limits.milliseconds)) limits += format("%g ms", budget.limits.milliseconds);
   if (std::isfinite(budget.limits.bytes))
     limits += format(limits.empty() ? "%g MB" : " and %g MB", budget.limits.bytes / 1e6);
-  return format("budget      %s: held in %zu of %zu frames; dropped %llu of %llu pixels, contributions to about %.4f\n",
-                limits.c_str(), budget.held, budget.frames, static_cast<unsigned long long>(budget.dropped),
-                static_cast<unsigned long long>(report.reflecting), static_cast<double>(budget.minContribution));
+  return format(
+      "budget      %s: met in %zu of %zu frames; dropped %llu of %llu pixels, contributions up to about %.4f\n",
+      limits.c_str(), budget.held, budget.frames, static_cast<unsigned long long>(budget.dropped),
+      static_cast<unsigned long long>(report.reflecting), static_cast<double>(budget.minContribution));
 }
 
 }  // namespace
@@ -168,7 +169,7 @@ Json toJson(const RunStatistics& s) {
 Json toJson(const Comparison& comparison) {
   Json json;
   json["rmse"] = comparison.rmse;
-  // JSON has no infinity: null says that the files are equal.
+  // JSON has no infinity: null means that the images are equal.
   json["psnr_db"] = nullptr;
   if (std::isfinite(comparison.psnrDb)) json["psnr_db"] = comparison.psnrDb;
   json["max_error"] = comparison.maxError;
@@ -196,7 +197,7 @@ std::string toTable(const RunStatistics& s) {
   table += s.sceneFile + ", " + std::to_string(s.triangles) + " triangles, " + std::to_string(s.width) + "x" +
            std::to_string(s.height) + ", " + s.device.renderer + " (" + s.context + ")\n";
   table += "GPU stage       median        min        max ms   runs";
-  table += s.firstFrame ? "   (the first frame; --repeat N for warm ones)\n" : "\n";
+  table += s.firstFrame ? "   (first frame; use --repeat N for warm frames)\n" : "\n";
   for (const StageSummary& stage : s.stages) {
     if (stage.runs + stage.rejected == 0) continue;
     table += format("%-11s %10.3f %10.3f %10.3f    %5zu", stage.stage.c_str(), stage.median, stage.min, stage.max,
@@ -212,7 +213,7 @@ std::string toTable(const RunStatistics& s) {
            megabytes(memory.peak) + "\n";
   if (memory.grid[0] > 0) table += format("voxels      %d x %d x %d\n", memory.grid[0], memory.grid[1], memory.grid[2]);
   if (memory.fragments)
-    table += format("fragments   %llu made, %llu stored (x %llu, y %llu, z %llu), %.1f bytes each\n",
+    table += format("fragments   %llu generated, %llu stored (x %llu, y %llu, z %llu), %.1f bytes each\n",
                     static_cast<unsigned long long>(memory.fragments),
                     static_cast<unsigned long long>(memory.fragmentsStored),
                     static_cast<unsigned long long>(memory.fragmentsPerAxis[0]),

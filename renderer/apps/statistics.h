@@ -13,12 +13,12 @@
 #include <halfsilver/renderer.h>
 #include <halfsilver/settings.h>
 
-// What a run of `render` measured, and its two forms: the statistics file and the table.
+// What a run of `render` measured, as a statistics file and as a table.
 namespace halfsilver {
 
 double median(std::vector<double> values);  // 0 for none
 
-// The stages of the contract, in the order of the frame; always all present in the statistics.
+// The stages of a frame in order; all of them are always present in the statistics.
 std::vector<std::string> stageNames();
 
 struct StageSummary {
@@ -33,20 +33,20 @@ class StageTimes {
  public:
   void add(std::span<const StageTime> frame);
   bool has(const std::string& stage) const;
-  // All stages of the contract, then any others in order of appearance.
+  // All of stageNames(), then any others in order of appearance.
   std::vector<StageSummary> summarize() const;
 
  private:
   std::vector<std::pair<std::string, std::vector<double>>> samples_;
 };
 
-// What a budget made of a run.
+// How a run kept to its budget.
 struct BudgetSummary {
   BudgetLimits limits;
   float minContribution = 0;         // of the last frame
-  std::uint64_t dropped = 0;         // pixels of the last frame, for the limits' sake
-  bool settled = false;              // the threshold had come to rest when the picture or the measured frames began
-  std::size_t frames = 0, held = 0;  // that were drawn since then, and those of them within the limits
+  std::uint64_t dropped = 0;         // pixels of the last frame, because of the limits
+  bool settled = false;              // the threshold was at rest before the picture or the measured frames
+  std::size_t frames = 0, held = 0;  // drawn since then, and how many of these were within the limits
 };
 
 struct RunStatistics {
@@ -54,13 +54,13 @@ struct RunStatistics {
   std::string context;
   std::string sceneFile;
   std::size_t triangles = 0, vertices = 0, materials = 0, textures = 0, lights = 0;
-  double diagonal = 0;  // metres
+  double diagonal = 0;  // meters
   Settings settings;
   int width = 0, height = 0;
   FrameReport report;  // of the last frame
   std::optional<BudgetSummary> budget;
   std::vector<StageSummary> stages;
-  bool firstFrame = false;  // the times are those of the first frame, with shaders compiled and memory allocated
+  bool firstFrame = false;  // the times are of the first frame, which compiles shaders and allocates memory
   int warmUpFrames = 0;
   std::vector<std::pair<std::string, double>> wallMilliseconds;
   std::vector<std::string> warnings;

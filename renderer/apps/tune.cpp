@@ -24,8 +24,8 @@
 namespace halfsilver {
 namespace {
 
-// What takes longer than this many times the fastest that is good enough, or of all while none is, has no larger
-// neighbour that is worth a try.
+// A candidate slower than this many times the fastest one that is accurate enough (or the fastest of all, until one is)
+// ends its ladder: the larger ones are not worth a try.
 constexpr double kTooSlow = 8;
 
 struct TuneRequest {
@@ -35,7 +35,7 @@ struct TuneRequest {
   int repeat = 3;
 };
 
-// Everything is built anew in each frame. Shadows do not change what a ray hits; they would be drawn again with every
+// Every frame builds everything from scratch. Shadows do not change what a ray hits, and would be redrawn with every
 // change of the settings.
 Settings measuredSettings(Settings settings) {
   settings.identity.keep = false;
@@ -44,7 +44,7 @@ Settings measuredSettings(Settings settings) {
   return settings;
 }
 
-// Medians of what a structure costs in a frame; infinite where the driver told no time.
+// Median time per frame spent on the structure; infinite if the driver gave no valid time.
 double structureMilliseconds(const StageTimes& times) {
   double sum = 0;
   for (const StageSummary& stage : times.summarize()) {
@@ -60,7 +60,7 @@ class Measurement {
   Measurement(Renderer& renderer, const Camera& camera, const Target& target, double diagonal)
       : renderer_(renderer), camera_(camera), target_(target), diagonal_(diagonal) {}
 
-  // The same rays, exactly. Returns the report of its frame.
+  // Traces the same rays exactly. Returns the report of that frame.
   FrameReport drawReference(Settings settings) {
     settings.trace.method = "exact";
     renderer_.render(camera_, measuredSettings(settings), target_);
@@ -68,7 +68,7 @@ class Measurement {
     return renderer_.report();
   }
 
-  // A frame to warm up, and one that is measured. Throws Error (failed) where the structure has no room.
+  // Draws a frame to warm up and one that is measured. Throws Error (failed) if the structure is too small.
   FrameReport draw(const Settings& settings) {
     const Settings measured = measuredSettings(settings);
     FrameReport report;
@@ -76,7 +76,7 @@ class Measurement {
     renderer_.render(camera_, measured, target_);
     report = renderer_.report();
     if (report.lostFragments > 0)
-      throw Error(ErrorKind::failed, std::to_string(report.lostFragments) + " fragments found no room in the A-buffer");
+      throw Error(ErrorKind::failed, std::to_string(report.lostFragments) + " fragments did not fit into the A-buffer");
     return report;
   }
 
@@ -91,8 +91,8 @@ class Measurement {
   Image reference_;
 };
 
-// Measures candidates: each once, while its ladder leads somewhere, then those that are not clearly beaten again, in
-// turns, so that a slow moment of the machine does not fall on one of them alone.
+// Measures candidates: first each ladder once, as far up as it is worth it, then all that are not clearly beaten again
+// and again, interleaved, so that a slow moment of the machine does not hit one of them alone.
 class Search {
  public:
   Search(Measurement& measurement, double maxError, Progress& progress)
@@ -129,16 +129,17 @@ class Search {
       costs_[i].milliseconds = points_[i].cost.milliseconds = structureMilliseconds(times_[i]);
   }
 
-  // Index of the chosen point. Throws Error (failed) where no point is good enough.
+  // Index of the chosen point. Throws Error (failed) if no point is accurate enough.
   std::size_t choose() const {
     if (const std::optional<std::size_t> best = fastestWithin(costs_, maxError_)) return *best;
     if (points_.empty()) throw Error(ErrorKind::failed, "nothing could be measured: " + skipped_.front());
     const auto least =
         std::min_element(costs_.begin(), costs_.end(), [](const Cost& a, const Cost& b) { return a.error < b.error; });
     const TunePoint& closest = points_[static_cast<std::size_t>(least - costs_.begin())];
-    char errors[96];
-    std::snprintf(errors, sizeof(errors), "no settings reach --max-error %g: the least hit_error measured is %g, with ",
-                  maxError_, closest.cost.error);
+    char errors[128];
+    std::snprintf(errors, sizeof(errors),
+                  "no settings reach --max-error %g: the lowest hit_error measured is %g, with ", maxError_,
+                  closest.cost.error);
     throw Error(ErrorKind::failed, std::string(errors) + closest.candidate.text());
   }
 
@@ -146,7 +147,7 @@ class Search {
   const std::vector<std::string>& skipped() const { return skipped_; }
 
  private:
-  // Whether a larger one is worth a try.
+  // Returns whether a larger one is worth a try.
   bool tryOne(const Candidate& candidate) {
     try {
       const FrameReport report = measurement_.draw(candidate.settings);
@@ -157,7 +158,7 @@ class Search {
       std::optional<std::size_t> best = fastestWithin(costs_, maxError_);
       if (!best) best = fastestWithin(costs_, 1);
       const bool tooSlow = best && cost.milliseconds > kTooSlow * costs_[*best].milliseconds;
-      // A good enough point of half the time and no more memory: no larger one will be chosen, however right.
+      // Another point is accurate enough in half the time and no more memory, so no larger one would be chosen.
       const bool beaten = clearlyBeaten({cost.milliseconds, cost.bytes, maxError_}, costs_);
       points_.push_back({candidate, cost, 1});
       costs_.push_back(cost);
@@ -170,7 +171,7 @@ class Search {
     }
   }
 
-  // Where a setting is at its limit, the next larger value makes the same structure.
+  // Beyond a setting's effective limit, larger values make the same structure.
   bool repeatsLast(const Cost& cost) const {
     return costs_.size() > ladderStart_ && costs_.back().bytes == cost.bytes && costs_.back().error == cost.error;
   }
@@ -205,9 +206,9 @@ std::string viewText(const ViewRequest& request) {
 }
 
 void tune(const TuneRequest& request) {
-  // All that can be wrong with the request itself, before any long work.
+  // First everything that can be wrong with the request itself, before any long work.
   if (!(request.maxError >= 0 && request.maxError <= 1))
-    throw Error(ErrorKind::usage, "--max-error must be from 0 to 1: the share of the rays that may be wrong");
+    throw Error(ErrorKind::usage, "--max-error must be from 0 to 1: the fraction of rays that may be wrong");
   const ViewArguments arguments = checkView(request.view);
   const std::vector<Ladder> ladders = tuneLadders(request.view);
   AtomicFile output(request.output);
@@ -226,7 +227,8 @@ void tune(const TuneRequest& request) {
   Measurement measurement(renderer, camera, target.target(), model.scene.bounds().diagonal());
   const FrameReport truth = measurement.drawReference(ladders.front().front().settings);
   if (truth.selected == 0)
-    throw Error(ErrorKind::badInput, request.view.scene + ": no pixel of this view is traced, nothing can be tuned");
+    throw Error(ErrorKind::badInput,
+                request.view.scene + ": no pixel of this view is traced, so there is nothing to tune");
   Search search(measurement, request.maxError, progress);
   search.climb(ladders);
   search.repeat(request.repeat - 1);
@@ -247,7 +249,7 @@ void tune(const TuneRequest& request) {
 
   progress.clear();
   for (const std::string& warning : model.warnings) std::cerr << "warning: " << warning << '\n';
-  // The table goes first: where it cannot be written, the run fails, and a failed run leaves no files.
+  // The table comes first: if it cannot be written the run fails, and a failed run leaves no files.
   if (!(std::cout << tuneTable(report) << std::flush)) throw Error(ErrorKind::failed, "cannot write the table");
   output.commit();
 }
@@ -255,25 +257,25 @@ void tune(const TuneRequest& request) {
 }  // namespace
 
 void addTuneCommand(CLI::App& program) {
-  CLI::App* command =
-      program.add_subcommand("tune", "Find the fastest settings whose hits are right enough for a view");
+  CLI::App* command = program.add_subcommand("tune", "Find the fastest settings that are accurate enough for a view");
   const auto shared = std::make_shared<TuneRequest>();
   TuneRequest& request = *shared;
   command
       ->add_option("--max-error", request.maxError,
-                   "Most hit_error against the exact rays, 0 to 1: the share of the rays that may be wrong")
+                   "Largest accepted hit_error, 0 to 1: the fraction of rays whose hit may differ from the exact one")
       ->capture_default_str();
-  command->add_option("-o,--output", request.output, "The settings for `render --config`, with what was measured")
+  command
+      ->add_option("-o,--output", request.output,
+                   "File for `render --config`: the chosen settings, with the measurements as comments")
       ->capture_default_str();
-  command->add_option("--repeat", request.repeat, "Measured frames of each candidate; times are medians")
+  command->add_option("--repeat", request.repeat, "Frames to measure per candidate; times are medians")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
   addViewOptions(*command, request.view);
   command->footer(
-      "Tried are the methods " + tunedSettings() +
-      ".\nWhat --set names stays as it is: --set trace.method=attributes tunes that method alone. "
-      "--preset and --config say what is drawn;\nthe settings of voxels, abuffer and search come from each method's "
-      "own "
+      "Tries the methods " + tunedSettings() +
+      ".\nSettings given by --set are not varied: --set trace.method=attributes tunes that method alone. --preset "
+      "and\n--config decide what is drawn; the settings of voxels, abuffer and search start from each method's own "
       "preset.");
   command->callback([shared] { tune(*shared); });
 }

@@ -76,7 +76,7 @@ std::vector<Ladder> tuneLadders(const ViewRequest& request) {
         for (std::size_t i = 0; i < fixed.size(); ++i) set(candidate.settings, names[i], fixed[i]);
         set(candidate.settings, names.back(), last);
         applyOverrides(candidate.settings, request);
-        // Another method than this one would be tuned by settings that it does not know.
+        // --set chose another method, which this method's settings do not affect.
         if (candidate.settings.trace.method != start.trace.method) continue;
         if (std::find(known.begin(), known.end(), candidate.settings) != known.end()) continue;
         known.push_back(candidate.settings);

@@ -12,7 +12,7 @@ namespace {
 
 constexpr const char* kHeading = "        ms          MB  hit_error  runs  settings\n";
 constexpr const char* kMeaning =
-    "ms: GPU time of voxelize + build + trace, all built anew (abuffer.keep=false), median of the runs; one run where "
+    "ms: GPU time of voxelize + build + trace, built from scratch (abuffer.keep=false), median of the runs; one run if "
     "another point is clearly better.";
 
 std::vector<Cost> costs(const std::vector<TunePoint>& points) {
@@ -40,7 +40,7 @@ std::string summary(const TuneReport& report) {
          std::to_string(report.height) + ", " + number("%.2f", 100 * report.coverage) + " % of the pixels traced";
 }
 
-// Names may hold what must not be in a comment: control characters and bytes that are not UTF-8.
+// Names may contain what a comment must not: control characters and bytes that are not UTF-8.
 std::string comment(const std::string& text) {
   const std::string quoted = nlohmann::json(text).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
   return std::string("# ").append(quoted, 1, quoted.size() - 2) + '\n';
@@ -58,7 +58,7 @@ std::string tuneTable(const TuneReport& report) {
   std::string table = summary(report) + ", " + report.device.renderer + " (" + report.context + ")\n  " + kHeading;
   for (const std::size_t index : order)
     table += (std::find(front.begin(), front.end(), index) != front.end() ? "* " : "  ") + row(report, index);
-  table += "*: on the front, no other point is better in time, memory and error\n";
+  table += "*: on the Pareto front: no other point is at least as good in time, memory and error\n";
   table += kMeaning;
   table += '\n';
   for (const std::string& line : report.skipped) table += "skipped: " + line + '\n';
@@ -71,11 +71,11 @@ std::string tuneConfig(const TuneReport& report) {
   text += comment("halfsilver tune " + std::string(version()) + ": " + summary(report));
   text += comment(report.device.renderer + ", OpenGL " + report.device.version + " (" + report.context + ')');
   text += comment(kMeaning);
-  text += "# The front of time, memory and error:\n";
+  text += "# The Pareto front of time, memory and error:\n";
   text += std::string("# ") + kHeading;
   for (const std::size_t index : paretoFront(costs(report.points))) text += std::string("# ") + row(report, index);
   std::vector<std::string> always = chosen.candidate.tuned;
-  always.push_back("trace.method");
+  always.emplace_back("trace.method");
   return text + '\n' + settingsText(chosen.candidate.settings, always);
 }
 

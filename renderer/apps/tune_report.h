@@ -8,7 +8,7 @@
 #include "apps/pareto.h"
 #include "apps/tune_candidates.h"
 
-// What `tune` found, and its two forms: the table and the configuration file.
+// What `tune` found, as a table and as a configuration file.
 namespace halfsilver {
 
 struct TunePoint {
@@ -23,8 +23,8 @@ struct TuneReport {
   std::string context;
   int width = 0, height = 0;
   std::size_t triangles = 0;
-  double coverage = 0;  // 0..1, share of the pixels that is traced
-  double maxError = 0;  // 0..1, that was asked for
+  double coverage = 0;  // 0..1, fraction of the pixels that is traced
+  double maxError = 0;  // 0..1, as requested
   std::vector<TunePoint> points;
   std::vector<std::string> skipped;  // candidates that could not be measured, with the reason
   std::size_t choice = 0;            // index of the chosen point

@@ -8,22 +8,25 @@ void addViewOptions(CLI::App& command, ViewRequest& request) {
   command.add_option("SCENE", request.scene, ".gltf or .glb file, or builtin:NAME")->required();
   command.add_option("--size", request.size, "WIDTHxHEIGHT in pixels")->capture_default_str();
   command.add_option("--camera", request.camera, "Name or index of a camera of the scene (default: the first)");
-  command.add_option("--eye", request.eye, "X,Y,Z of a camera of your own, world coordinates; with --target");
-  command.add_option("--target", request.target, "X,Y,Z that it looks at");
-  command.add_option("--fov", request.fov, "Vertical field of view in degrees, for --eye or the scene's camera");
-  command.add_option("--time", request.time, "Seconds into the scene's first animation");
-  command.add_option("--mirror", request.mirrors, "MATERIAL=REFLECTIVITY: a mirror of a material; * for all")
+  command.add_option("--eye", request.eye, "X,Y,Z in world coordinates: place the camera here; needs --target");
+  command.add_option("--target", request.target, "X,Y,Z in world coordinates: the point that the camera looks at");
+  command.add_option("--fov", request.fov, "Vertical field of view in degrees, with --eye or a camera of the scene");
+  command.add_option("--time", request.time, "Pose the scene at this time of its first animation, in seconds");
+  command
+      .add_option("--mirror", request.mirrors,
+                  "MATERIAL=REFLECTIVITY: turn a material into a mirror; * for all materials")
       ->allow_extra_args(false);
-  command.add_option("--sky", request.sky, "Equirectangular image (HDR, EXR) as the sky");
-  CLI::Option* preset = command.add_option("--preset", request.preset, "One of the presets (see: halfsilver presets)");
-  command.add_option("--config", request.config, "Settings from a .toml file")->excludes(preset);
-  command.add_option("--set", request.set, "section.key=value: one setting")->allow_extra_args(false);
-  command.add_option("--bounces", request.bounces, "Reflections along a path (trace.bounces)")
+  command.add_option("--sky", request.sky, "Use an equirectangular image (HDR, EXR) as the sky");
+  CLI::Option* preset = command.add_option("--preset", request.preset, "Start from a preset (see: halfsilver presets)");
+  command.add_option("--config", request.config, "Start from the settings in a .toml file")->excludes(preset);
+  command.add_option("--set", request.set, "section.key=value: change one setting; can be repeated")
+      ->allow_extra_args(false);
+  command.add_option("--bounces", request.bounces, "Maximum number of reflections along a path (trace.bounces)")
       ->check(CLI::Range(1, 16));
-  command.add_option("--context", request.context, "Where OpenGL comes from: auto, egl, osmesa")
+  command.add_option("--context", request.context, "How to create the OpenGL context: auto, egl, osmesa")
       ->check(CLI::IsMember({"auto", "egl", "osmesa"}))
       ->capture_default_str();
-  command.add_option("--threads", request.threads, "Threads of the exact tracer (default: one a core)")
+  command.add_option("--threads", request.threads, "Threads of the exact tracer (default: one per core)")
       ->check(CLI::Range(1, 1024));
 }
 
@@ -56,10 +59,10 @@ Model loadModel(const ViewRequest& request, const ViewArguments& arguments) {
   if (!request.sky.empty()) {
     if (const std::size_t repaired = readSky(request.sky, model.scene.sky))
       model.warnings.push_back(request.sky + ": " + std::to_string(repaired) +
-                               " values outside 0..65504 or not a number were brought into that range");
+                               " values that are not a number or outside 0..65504 were clamped");
   }
   if (request.time) {
-    if (model.rig.animations.empty()) model.warnings.push_back("the scene has no animation: --time changes nothing");
+    if (model.rig.animations.empty()) model.warnings.emplace_back("the scene has no animation: --time has no effect");
     pose(model, *request.time);
   }
   return model;

@@ -13,7 +13,7 @@
 // The options of every command that draws a view of a scene.
 namespace halfsilver {
 
-// As the command line gives them, unchecked.
+// As given on the command line, unchecked.
 struct ViewRequest {
   std::string scene;
   std::string size = "960x540";
@@ -29,7 +29,7 @@ struct ViewRequest {
 // Adds SCENE and the options to a command. The request must outlive it.
 void addViewOptions(CLI::App& command, ViewRequest& request);
 
-// What can be wrong with a request without a look at the scene.
+// The parts of a request that can be checked without the scene.
 struct ViewArguments {
   Size size;
   CameraRequest camera;
@@ -41,10 +41,10 @@ ViewArguments checkView(const ViewRequest& request);
 
 // Defaults, then preset or file.
 Settings baseSettings(const ViewRequest& request);
-// --set, then --bounces: what the user names one by one comes last.
+// --set, then --bounces: what the user names individually comes last.
 void applyOverrides(Settings& settings, const ViewRequest& request);
 
-// The scene with its mirrors, sky and pose. Throws Error (badInput; usage for an unknown material).
+// Loads the scene with its mirrors, sky and pose. Throws Error (badInput; usage for an unknown material).
 Model loadModel(const ViewRequest& request, const ViewArguments& arguments);
 
 }  // namespace halfsilver

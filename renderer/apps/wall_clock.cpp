@@ -1,21 +1,21 @@
 #include "apps/wall_clock.h"
 
-#include <time.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <ctime>
 #include <fstream>
 #include <sstream>
 
 namespace halfsilver {
 namespace {
 
-// Seconds since the kernel started this process, in clock ticks of 10 ms; 0 where it cannot be told.
+// Seconds since the kernel started this process, in clock ticks of 10 ms; 0 if unknown.
 double processAge() {
   std::ifstream stat("/proc/self/stat");
   std::string line;
   std::getline(stat, line);
-  // The second field, the program's name in brackets, may hold spaces.
+  // The second field, the program's name in parentheses, may contain spaces.
   std::istringstream fields(line.substr(std::min(line.size(), line.rfind(')') + 1)));
   std::string skipped;
   for (int field = 3; field < 22; ++field) fields >> skipped;

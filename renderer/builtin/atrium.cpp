@@ -1,6 +1,6 @@
 #include "builtin/atrium_parts.h"
 
-// An arcaded two-storey hall in the afternoon sun: fluted columns, vaulted aisles, galleries with thin railings,
+// An arcaded two-story hall in the afternoon sun: fluted columns, vaulted aisles, galleries with thin railings,
 // banners and curtains, plants cut out of their texture, lanterns, and a polished marble floor.
 namespace halfsilver {
 namespace {
@@ -67,7 +67,7 @@ Model makeAtriumScene() {
   Scene& scene = model.scene;
   const Materials materials = makeMaterials(scene);
 
-  // Both sides and both ends are alike: the second is the first turned by half.
+  // Both sides and both ends are alike: the second is the first, rotated by 180 degrees.
   MeshBuilder side, end, build;
   build.reserve(350000, 480000);
   side.reserve(120000, 160000);

@@ -16,7 +16,7 @@ using glm::dvec3;
 constexpr dvec3 kX(1, 0, 0), kY(0, 1, 0), kZ(0, 0, 1);
 constexpr double kStoneScale = 2.4, kBrickScale = 1.3, kPlainScale = 2.0;
 
-// A moulded string course; out and down from (0, 0.3) at the wall.
+// A molded string course; out and down from (0, 0.3) at the wall.
 Profile stringCourse() {
   Profile p;
   p.lines({{0, 0.30}, {0.17, 0.30}, {0.17, 0.24}}).arc({0.11, 0.24}, 0.06, 0, -0.5 * kPi, 6);
@@ -25,7 +25,7 @@ Profile stringCourse() {
   return p;
 }
 
-// The moulding around an arch: from the outer radius down to the opening.
+// The molding around an arch: from the outer radius down to the opening.
 Profile archivolt(double radius, double width) {
   Profile p;
   p.lines({{0, radius + width}, {0.07, radius + width}, {0.07, radius + 0.82 * width}});
@@ -36,7 +36,7 @@ Profile archivolt(double radius, double width) {
   return p;
 }
 
-// A plainer one, for the small arches and where it is rarely seen.
+// A plainer one, for small arches and those rarely seen.
 Profile fascia(double radius, double width) {
   return Profile().lines({{0, radius + width},
                           {0.06, radius + width},
@@ -97,7 +97,7 @@ void addLowerBay(MeshBuilder& build, const Materials& m, double z) {
 
   const double middle = 0.5 * (kArcadeBack + kOuterWall);
   addGroinVault(build, m, {middle, kSpringing, z}, {0.5 * (kOuterWall - kArcadeBack), 0.5 * kBay}, 1.45);
-  // The outer wall's field: a panelled dado.
+  // The outer wall's field: a paneled dado.
   build.use(m.limestone, kPlainScale);
   build.box({kOuterWall - 0.07, 0, z - 1.5}, {kOuterWall + 0.1, 1.05, z + 1.5}, kAllFaces & ~kFaceRight & ~kFaceBottom);
   build.use(m.verde, kPlainScale);
@@ -208,7 +208,7 @@ void addDoor(MeshBuilder& build, const Materials& m, dvec3 foot, double halfWidt
 }  // namespace
 
 void addFloor(MeshBuilder& build, const Materials& m) {
-  // Slabs of 0.9 m; each takes one of the texture's four slabs and a colour.
+  // Slabs of 0.9 m; each takes one of the texture's four slabs and a color.
   constexpr double kSlab = 0.9;
   const int across = static_cast<int>(std::lround(kOuterWall / kSlab * 2)),
             along = static_cast<int>(2 * kHalfLength / kSlab);
@@ -267,7 +267,7 @@ void addArcade(MeshBuilder& build, const Materials& m) {
   build.box({kUpperFace, kCeiling, -kHalfLength}, {kOuterWall + 0.4, kRoof, kHalfLength});
   for (const double x : {4.75, 5.75})
     build.box({x - 0.08, kCeiling - 0.2, -kHalfLength}, {x + 0.08, kCeiling + 0.02, kHalfLength});
-  // Mouldings towards the nave.
+  // Moldings toward the nave.
   build.use(m.limestone, kPlainScale);
   build.extrude(stringCourse(), {kArcadeFace, kGallery - 0.3, -kHalfLength}, -kX, kY, length);
   Profile cornice;

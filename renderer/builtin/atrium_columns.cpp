@@ -143,7 +143,7 @@ void addRailing(MeshBuilder& build, const Materials& m) {
     build.box({kX - 0.03, kGallery, z - 0.03}, {kX + 0.03, kTop + 0.02, z + 0.03});
     build.lathe(Profile().arc({0, 0}, 0.055, 0.5 * kPi, -0.5 * kPi, 8), {kX, kTop + 0.07, z}, 16);
   }
-  // The handrail's closed outline.
+  // The closed outline of the handrail.
   Profile rail;
   rail.arc({0, kTop - 0.01}, 0.045, kPi, 0, 8)
       .lines({{0.045, kTop - 0.01}, {0.035, kTop - 0.06}, {-0.035, kTop - 0.06}});

@@ -20,7 +20,7 @@ void addBanner(MeshBuilder& build, const Materials& m, std::uint32_t cloth, dvec
                double height, double phase) {
   build.use(cloth);
   build.surface(56, 16, {1, 1}, [&](double s, double t) {
-    // Folds are sharp at the rod and fade towards the foot; the cloth sways a little.
+    // Folds are sharp at the rod and fade toward the foot; the cloth sways a little.
     const double fold = std::sin(2 * kPi * 5 * s + phase) + 0.35 * std::sin(2 * kPi * 11 * s + 2 * phase + 2 * t);
     const double depth = 0.055 * (1 - 0.45 * t) * fold + 0.05 * std::sin(1.5 * kPi * t + phase) * t;
     const double side = (s - 0.5) * width * (1 + 0.04 * std::sin(3 * t + phase));
@@ -33,11 +33,11 @@ void addBanner(MeshBuilder& build, const Materials& m, std::uint32_t cloth, dvec
   for (const dvec3& end : ends) build.lathe(Profile().arc({0, 0}, 0.045, 0.5 * kPi, -0.5 * kPi, 8), end, 16);
 }
 
-// Half of a pair of curtains in an arch, gathered to the column at its side (side is +1 towards +z).
+// Half of a pair of curtains in an arch, gathered to the column at its side (side is +1 toward +z).
 void addCurtain(MeshBuilder& build, std::uint32_t cloth, dvec3 top, double side, double width, double phase) {
   build.use(cloth);
   build.surface(64, 20, {1.5, 2.0}, [&](double s, double t) {
-    // s runs to the right seen from the nave at x < 0 of it, that is along +z.
+    // Seen from the nave (smaller x), s runs to the right, that is along +z.
     const double across = side > 0 ? 1 - s : s;  // 0 at the column, 1 in the middle of the arch
     const double tied = 0.62;
     const double gather =

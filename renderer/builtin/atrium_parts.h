@@ -2,7 +2,7 @@
 
 #include "builtin/parts.h"
 
-// The atrium's measures (metres) and materials; private to the builtin_atrium files. The hall lies along z, its floor
+// The atrium's measures (meters) and materials; private to the builtin_atrium files. The hall lies along z, its floor
 // at y = 0: a nave open to the sky between two arcades, each with a vaulted aisle and a gallery above it.
 namespace halfsilver::atrium {
 
@@ -10,7 +10,7 @@ inline constexpr int kBays = 8;
 inline constexpr double kBay = 3.6;
 inline constexpr double kHalfLength = 0.5 * kBays * kBay;
 inline constexpr double kColumnAxis = 3.6;   // |x|
-inline constexpr double kArcadeFace = 3.25;  // |x|, towards the nave
+inline constexpr double kArcadeFace = 3.25;  // |x|, toward the nave
 inline constexpr double kArcadeBack = 3.95;
 inline constexpr double kOuterWall = 6.75;
 inline constexpr double kSpringing = 3.6;  // y of the lower arches
@@ -46,7 +46,7 @@ void addDrapes(MeshBuilder& build, const Materials& materials);
 void addPlants(MeshBuilder& build, const Materials& materials);
 void addCentrepiece(MeshBuilder& build, const Materials& materials);
 void addLanterns(MeshBuilder& build, const Materials& materials);
-// Where the lanterns hang.
+// Positions of the lanterns.
 inline constexpr double kLanternZ[] = {-10.8, -3.6, 3.6, 10.8};
 
 }  // namespace halfsilver::atrium

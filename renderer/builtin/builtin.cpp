@@ -40,7 +40,7 @@ Model makeBuiltin(std::string_view name) {
   };
   std::optional<Model> model = named(kScenes);
   if (!model) model = named(failureScenes());
-  if (!model) throw Error(ErrorKind::badInput, "builtin:" + std::string(name) + ": no such scene; there are " + known);
+  if (!model) throw Error(ErrorKind::badInput, "builtin:" + std::string(name) + ": no such scene; known are " + known);
   model->scene.name = "builtin:" + std::string(name);
   return std::move(*model);
 }

@@ -11,7 +11,7 @@ namespace {
 
 using glm::dvec3;
 
-// A mirror floor of 4 m under things of four colours, seen from above.
+// A 4 m mirror floor under things of four colors, seen from above.
 class Stage {
  public:
   Stage() {
@@ -31,7 +31,7 @@ class Stage {
   void floor(double half = 2) {
     build.use(mirror).rectangle(dvec3(-half, 0, -half), dvec3(2 * half, 0, 0), dvec3(0, 0, 2 * half));
   }
-  // With corners of its own, counter-clockwise.
+  // With its own corners, counter-clockwise.
   void triangle(dvec3 a, dvec3 b, dvec3 c) {
     const dvec3 normal = glm::normalize(glm::cross(b - a, c - a)), tangent = glm::normalize(b - a);
     const std::uint32_t first = build.vertex({a, normal, tangent, {0, 0}});
@@ -63,7 +63,7 @@ void threeBalls(Stage& stage) {
   ball(stage, Stage::blue, {0.8, 0.35, 0}, 0.3);
 }
 
-// Two small level triangles in each voxel of a wall have two votes of three for its axis; the wall has none left.
+// In each voxel of a wall, two small horizontal triangles win the vote for the axis, two to one: the wall is lost.
 Model outvoted() {
   Stage stage;
   stage.floor();
@@ -112,7 +112,7 @@ Model rods() {
   return stage.finish();
 }
 
-// Front and back of a board 8 mm thick, of different colours, at 30 degrees.
+// Front and back of a board 8 mm thick, of different colors, at 30 degrees.
 Model sheets() {
   Stage stage;
   stage.floor();
@@ -211,7 +211,7 @@ Model leaves() {
   return stage.finish();
 }
 
-// The three balls where floats are 2 mm apart.
+// The three balls, so far out that floats are 2 mm apart.
 Model farAway() {
   Stage stage;
   stage.floor();
@@ -243,7 +243,7 @@ Model crossing() {
   return stage.finish();
 }
 
-// A ball that unfolds: the frame before has no idea how many fragments come.
+// A ball that unfolds: the previous frame cannot know how many fragments will come.
 Model growing() {
   Stage stage;
   stage.floor();
@@ -261,12 +261,12 @@ constexpr std::array<FailureScene, 15> kFailures{{
     {"open", "surfaces that are open, one-sided or not watertight", openSurfaces, kSideways},
     {"coplanar", "surfaces that overlap in one plane", coplanar, kSideways},
     {"small-triangles", "triangles smaller than a texel", smallTriangles, kSideways},
-    {"huge-and-tiny", "tiny things on a floor of two kilometres", hugeAndTiny, kSideways},
+    {"huge-and-tiny", "tiny things on a floor of two kilometers", hugeAndTiny, kSideways},
     {"grazing", "a mirror seen at a grazing angle", grazing, kSideways},
     {"facing-mirrors", "two mirrors that face each other", facingMirrors, kSideways, 5},
     {"leaves", "alpha-masked leaves", leaves, kSideways},
     {"far-away", "a scene 25 km from the origin", farAway, {{0.0625f, 0, 0}, {}, 1}},
-    {"millimetres", "a scene in millimetres", millimetres, {{2, 0, 0}, {}, 1}},
+    {"millimetres", "a scene in millimeters", millimetres, {{2, 0, 0}, {}, 1}},
     {"crossing", "an object that crosses a voxel border slowly", crossing, {{}, {0, 0, 0.008f}, 1}},
     {"growing", "more fragments at once than the pool was made for", growing, {{}, {}, 4}},
 }};

@@ -10,7 +10,7 @@ namespace {
 using glm::dvec2;
 using glm::dvec3;
 
-constexpr double kSmallestArea = 1e-9;  // square metres, twice the triangle's
+constexpr double kSmallestArea = 1e-9;  // square meters, twice the triangle's
 
 dvec2 leftOf(dvec2 direction) { return glm::normalize(dvec2(-direction.y, direction.x)); }
 
@@ -75,9 +75,9 @@ Profile& Profile::arc(dvec2 center, double radius, double from, double to, int s
   return *this;
 }
 
-MeshBuilder& MeshBuilder::use(std::uint32_t material, double metresPerTexture, glm::vec4 color) {
+MeshBuilder& MeshBuilder::use(std::uint32_t material, double metersPerTexture, glm::vec4 color) {
   material_ = material;
-  metresPerTexture_ = metresPerTexture;
+  metersPerTexture_ = metersPerTexture;
   color_ = color;
   return *this;
 }
@@ -129,7 +129,7 @@ void MeshBuilder::sweep(const Profile& profile, std::span<const Station> station
       result.position = at.origin + point.position.x * at.a + point.position.y * at.b;
       result.normal = point.normal.x * at.a + point.normal.y * at.b;
       result.tangent = glm::cross(at.b, at.a);
-      result.uv = dvec2(at.distance, point.length) / metresPerTexture_;
+      result.uv = dvec2(at.distance, point.length) / metersPerTexture_;
       return result;
     });
 }
@@ -206,7 +206,7 @@ SurfacePoint MeshBuilder::planar(dvec3 position, dvec3 normal) const {
   const bool level = std::abs(normal.y) > 0.7071;
   const dvec3 right = level ? dvec3(1, 0, 0) : glm::normalize(glm::cross(dvec3(0, 1, 0), normal));
   const dvec3 up = glm::cross(normal, right);
-  return {position, normal, right, dvec2(glm::dot(position, right), -glm::dot(position, up)) / metresPerTexture_};
+  return {position, normal, right, dvec2(glm::dot(position, right), -glm::dot(position, up)) / metersPerTexture_};
 }
 
 void MeshBuilder::flatQuad(dvec3 a, dvec3 b, dvec3 c, dvec3 d) {
@@ -248,7 +248,7 @@ void MeshBuilder::roundedBox(dvec3 base, dvec3 size, double radius, int segments
   constexpr std::array<std::array<int, 3>, 6> kFaces{
       {{0, 2, 1}, {0, 1, 2}, {1, 0, 2}, {1, 2, 0}, {2, 1, 0}, {2, 0, 1}}};
   for (std::size_t face = 0; face < kFaces.size(); ++face) {
-    const auto [axis, across, along] = kFaces[face];
+    const int axis = kFaces[face][0], across = kFaces[face][1], along = kFaces[face][2];
     const double sign = face % 2 == 0 ? -1.0 : 1.0;
     grid(steps, steps, [&](int column, int row) {
       dvec3 outer;
@@ -264,7 +264,7 @@ void MeshBuilder::roundedBox(dvec3 base, dvec3 size, double radius, int segments
       const auto rotate = [&](dvec3 v) {
         return dvec3(rotation.x * v.x + rotation.y * v.z, v.y, rotation.x * v.z - rotation.y * v.x);
       };
-      point.uv = dvec2(position[across], -position[along]) / metresPerTexture_;
+      point.uv = dvec2(position[across], -position[along]) / metersPerTexture_;
       point.position = base + rotate(position + dvec3(0, half.y, 0));
       point.normal = rotate(normal);
       point.tangent = rotate(right);

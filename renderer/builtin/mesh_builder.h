@@ -9,7 +9,7 @@
 #include <halfsilver/scene.h>
 
 // Triangles from parametric pieces, for the scenes that are made in code. Everything is computed in double precision
-// and rounded to float once, so that the meshes are the same on every machine. Lengths are metres.
+// and rounded to float once, so that the meshes are the same on every machine. Lengths are meters.
 //
 // One rule holds for all pieces: seen from the front, columns run to the right and rows run down. Triangles are then
 // counter-clockwise, u grows to the right, v grows down, and the tangent frame's sign is always +1.
@@ -17,7 +17,7 @@ namespace halfsilver {
 
 inline constexpr double kPi = 3.14159265358979323846;
 
-// The outline of a moulding in a plane with axes (a, b), built piece by piece. Walking along it, the outside lies to
+// The outline of a molding in a plane with axes (a, b), built piece by piece. Walking along it, the outside lies to
 // the left: down the right-hand side of a shape, for instance. Each piece is smooth; pieces meet in hard edges.
 class Profile {
  public:
@@ -29,7 +29,7 @@ class Profile {
 
   Profile& lines(std::initializer_list<glm::dvec2> points);  // flat pieces
   Profile& curve(std::span<const glm::dvec2> points);        // one smooth piece through at least two points
-  // Angles in radians, 0 along +a, counter-clockwise positive; `to` < `from` bulges outwards.
+  // Angles in radians, 0 along +a, counter-clockwise positive; `to` < `from` bulges outward.
   Profile& arc(glm::dvec2 center, double radius, double from, double to, int segments);
 
   const std::vector<std::vector<Point>>& pieces() const { return pieces_; }
@@ -40,7 +40,7 @@ class Profile {
   double length_ = 0;
 };
 
-// Where a swept profile stands: its plane is origin + x * a + y * b. Stations advance along cross(b, a).
+// Where a profile is placed along a sweep: its plane is origin + x * a + y * b. Stations advance along cross(b, a).
 struct Station {
   glm::dvec3 origin{0};
   glm::dvec3 a{1, 0, 0}, b{0, 1, 0};  // unit, perpendicular
@@ -50,11 +50,11 @@ struct Station {
 struct SurfacePoint {
   glm::dvec3 position{0};
   glm::dvec3 normal{0, 1, 0};
-  glm::dvec3 tangent{1, 0, 0};  // towards growing u; made perpendicular to the normal when added
+  glm::dvec3 tangent{1, 0, 0};  // toward growing u; made perpendicular to the normal when added
   glm::dvec2 uv{0};
 };
 
-// A turn about the y axis, then a shift.
+// A rotation about the y axis, then a translation.
 struct Placement {
   glm::dvec3 shift{0};
   double turn = 0;  // radians, counter-clockwise seen from above
@@ -77,8 +77,8 @@ enum BoxFaces : unsigned {
 
 class MeshBuilder {
  public:
-  // What the next pieces are made of.
-  MeshBuilder& use(std::uint32_t material, double metresPerTexture = 1, glm::vec4 color = glm::vec4(1));
+  // Sets the material of the pieces that follow.
+  MeshBuilder& use(std::uint32_t material, double metersPerTexture = 1, glm::vec4 color = glm::vec4(1));
 
   void reserve(std::size_t vertices, std::size_t triangles);
   std::uint32_t vertex(const SurfacePoint& point);
@@ -120,13 +120,13 @@ class MeshBuilder {
   void sweepArc(const Profile& profile, glm::dvec3 center, glm::dvec3 a, glm::dvec3 start, double angle, int segments);
   // A round bar through the points; `side` is not parallel to any part of it. Open bars get flat ends.
   void tube(std::span<const glm::dvec3> points, double radius, int sides, glm::dvec3 side, bool closed = false);
-  // A disc around its centre, seen from the tip of `normal`.
+  // A disc around its center, seen from the tip of `normal`.
   void disc(glm::dvec3 center, glm::dvec3 normal, double radius, int segments);
 
   // A parallelogram whose corner, right and down edges are given.
   void rectangle(glm::dvec3 corner, glm::dvec3 right, glm::dvec3 down);
   void box(glm::dvec3 low, glm::dvec3 high, unsigned faces = kAllFaces);
-  // Edges rounded by `radius` in `segments` steps; turned about the y axis, standing on `base` (centre of its foot).
+  // Edges rounded by `radius` in `segments` steps; turned about the y axis, standing on `base` (center of its foot).
   void roundedBox(glm::dvec3 base, glm::dvec3 size, double radius, int segments, double turn = 0);
   // A wall of half-width `halfWidth` and height `height` above the springing line of a semicircular opening.
   void archedWall(glm::dvec3 springing, glm::dvec3 right, glm::dvec3 up, double halfWidth, double height, double radius,
@@ -139,13 +139,13 @@ class MeshBuilder {
 
  private:
   void connect(std::uint32_t first, int columns, int rows);
-  // Texture coordinates by the position in the world, so that neighbouring pieces continue each other.
+  // Texture coordinates by the position in the world, so that neighboring pieces continue each other.
   SurfacePoint planar(glm::dvec3 position, glm::dvec3 normal) const;
   void flatQuad(glm::dvec3 a, glm::dvec3 b, glm::dvec3 c, glm::dvec3 d);  // counter-clockwise
 
   Mesh mesh_;
   std::uint32_t material_ = 0;
-  double metresPerTexture_ = 1;
+  double metersPerTexture_ = 1;
   glm::vec4 color_{1};
 };
 

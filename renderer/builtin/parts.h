@@ -7,7 +7,7 @@
 #include "builtin/mesh_builder.h"
 #include "builtin/procedural_textures.h"
 
-// What scenes that are made in code share: the built-in ones, and those of benchmarks.
+// What all scenes made in code share: the built-in ones and those of benchmarks.
 namespace halfsilver {
 
 Model makeSphereScene();

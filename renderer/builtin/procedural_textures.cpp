@@ -79,7 +79,7 @@ std::shared_ptr<const Texture> paint(std::string name, int size, bool srgb, Colo
   texture->name = std::move(name);
   texture->width = texture->height = size;
   texture->srgb = srgb;
-  texture->texels.resize(static_cast<std::size_t>(size * size * 4));
+  texture->texels.resize(4 * static_cast<std::size_t>(size) * static_cast<std::size_t>(size));
   std::uint8_t* out = texture->texels.data();
   for (int y = 0; y < size; ++y)
     for (int x = 0; x < size; ++x) {
@@ -105,8 +105,8 @@ struct Masonry {
   float bevel = 3.0f;    // texels over which the edge is rounded
   float wobble = 1.5f;   // unevenness of the edges, texels
   float relief = 0.8f;   // unevenness of the faces, texels
-  float spread = 0.07f;  // brightness from stone to stone
-  float grain = 0.10f;   // brightness within one
+  float spread = 0.07f;  // of brightness from stone to stone
+  float grain = 0.10f;   // of brightness within a stone
   vec3 stone{1}, warm{1}, mortar{1};
   std::uint32_t seed = 1;
 };
@@ -177,7 +177,7 @@ SurfaceTextures woodPlanks() {
     const float across = static_cast<float>(x % kPlank) + 0.5f;
     const float toEdge = std::min(across, static_cast<float>(kPlank) - across);
     const std::uint32_t id = hash(static_cast<std::uint32_t>(plank) + 41);
-    // Each plank is another piece of the same pattern.
+    // Each plank is a different piece of the same pattern.
     const int shifted = y + static_cast<int>(id % kSize);
     const float rings = 0.5f + 0.5f * std::sin(across * 0.35f + 9.0f * bend.at(x, shifted));
     const float face = band(0.6f, 2.6f, toEdge);
@@ -268,7 +268,7 @@ std::shared_ptr<const Texture> leafSprig() {
   }
   return paint("leaf sprig", kSize, true, [&](int x, int y) {
     const vec2 at = (vec2(static_cast<float>(x), static_cast<float>(y)) + 0.5f) / static_cast<float>(kSize);
-    // The gap's colour is a leaf's too, so that filtering draws no dark fringe.
+    // Gaps have a leaf's color too, so that filtering makes no dark fringe.
     vec3 color(0.30f, 0.45f, 0.15f);
     float cover = 0;
     const float stem = 0.006f + 0.008f * at.y - std::abs(at.x - 0.5f);

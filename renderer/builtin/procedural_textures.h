@@ -7,7 +7,7 @@
 
 #include <halfsilver/scene.h>
 
-// Small tileable pictures made in code: seamless in both directions unless said otherwise. Colours are given and
+// Small tileable pictures made in code: seamless in both directions unless stated otherwise. Colors are given and
 // stored sRGB-encoded; normal maps follow glTF (green is up in the picture).
 namespace halfsilver {
 

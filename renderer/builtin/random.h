@@ -4,7 +4,7 @@
 
 namespace halfsilver {
 
-// Integer hash (xor-shift and multiply finaliser): the same on every machine, unlike the standard distributions.
+// Integer hash (xor-shift and multiply finalizer): the same on every machine, unlike the standard distributions.
 constexpr std::uint32_t hash(std::uint32_t x) {
   x ^= x >> 16;
   x *= 0x7feb352du;

@@ -1,7 +1,7 @@
 #include "builtin/parts.h"
 
-// A mirror sphere of radius 1 that stands on a checkered floor among coloured things, some of them behind the camera,
-// where only the sphere shows them.
+// A mirror sphere of radius 1 that stands on a checkered floor among colored things, some of them behind the camera,
+// visible only in the sphere.
 namespace halfsilver {
 
 Model makeSphereScene() {

@@ -79,7 +79,7 @@ void addPatch(MeshBuilder& build, const Patch& patch, int steps) {
     point.uv = dvec2(s, t);
     dvec3 across = combine(patch, bt, ds);
     const dvec3 down = combine(patch, dt, bs);
-    // Where a row shrinks to a point the derivative along it vanishes in proportion to the mixed one.
+    // If a row shrinks to a point, the derivative along it vanishes in proportion to the mixed derivative.
     if (glm::length(across) < 1e-9) across = (row == 0 ? 1.0 : -1.0) * combine(patch, dt, ds);
     point.tangent = across;
     point.normal = glm::cross(down, across);
@@ -145,7 +145,7 @@ Model makeTeapotScene() {
   const std::uint32_t cream = addMaterial(scene, dielectric("cream", glm::vec3(0.80f, 0.74f, 0.62f), 0.7f));
 
   MeshBuilder build;
-  // A table top with a round mat; the teapot is as large as a person, so that metres are a handy unit.
+  // A table top with a round mat; the teapot is as large as a person, so that meters suit it.
   build.use(table, 1.6).roundedBox({0, -0.2, 0}, {9.6, 0.2, 10}, 0.05, 3);
   build.use(mat, 0.5).disc({0, 0.03, 0}, {0, 1, 0}, 1.75, 96);
   build.lathe(Profile().lines({{1.75, 0.03}, {1.75, 0}}), dvec3(0), 96);

@@ -6,7 +6,7 @@
 
 namespace halfsilver {
 
-// One way to a context. A backend is current when it has been made.
+// One way to create a context, which is current after construction.
 class Context::Backend {
  public:
   virtual ~Backend() = default;
@@ -16,7 +16,7 @@ class Context::Backend {
   virtual void release() = 0;
 };
 
-// Both throw Error (noContext) with what is missing.
+// Both throw Error (noContext) that says what is missing.
 std::unique_ptr<Context::Backend> makeEgl(const ContextOptions& options);
 std::unique_ptr<Context::Backend> makeOsmesa(const ContextOptions& options);
 

@@ -63,7 +63,7 @@ struct Candidate {
   std::string name;
 };
 
-// Hardware devices, then software devices, then Mesa's surfaceless platform (whatever device that picks).
+// Hardware devices, then software devices, then Mesa's surfaceless platform, which picks a device itself.
 std::vector<Candidate> candidates(const Egl& egl) {
   const char* client = egl.QueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
   std::vector<Candidate> hardware, software;
@@ -99,7 +99,7 @@ class EglBackend : public Context::Backend {
     if (!egl.Initialize(display_, &major, &minor)) fail(egl, "cannot be initialized");
     if (major * 10 + minor < 15)
       throw Error(ErrorKind::noContext,
-                  "EGL version " + std::to_string(major) + "." + std::to_string(minor) + ", 1.5 is needed");
+                  "EGL version " + std::to_string(major) + "." + std::to_string(minor) + ", but 1.5 is needed");
     const char* extensions = egl.QueryString(display_, EGL_EXTENSIONS);
     if (!contains(extensions, "EGL_KHR_surfaceless_context"))
       throw Error(ErrorKind::noContext, "no EGL_KHR_surfaceless_context");
@@ -130,7 +130,7 @@ class EglBackend : public Context::Backend {
       throw;
     }
   }
-  // The display stays initialized: it is one for the process, and ending it would end other users' contexts.
+  // The display stays initialized: the process has only one, and terminating it would end other users' contexts.
   ~EglBackend() override {
     EglBackend::release();
     egl_.DestroyContext(display_, context_);
@@ -140,7 +140,7 @@ class EglBackend : public Context::Backend {
   Context::Proc (*getProcAddress() const)(const char*) override { return egl_.GetProcAddress; }
 
   void makeCurrent() override {
-    // EGL skips a context that it believes to be current already; OSMesa may have taken over its functions since.
+    // EGL does nothing if it believes the context to be current already, but OSMesa may have replaced its functions.
     release();
     if (!egl_.MakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_))
       fail(egl_, "the context cannot be made current");

@@ -10,14 +10,14 @@
 namespace halfsilver {
 
 // A shared library opened at run time. It stays loaded until the process ends: drivers keep threads and thread-local
-// destructors that do not survive being unloaded.
+// destructors that must not be unloaded.
 class Library {
  public:
   // The first of the names that opens. Throws Error (noContext) that lists the names.
   explicit Library(std::initializer_list<std::string> names) {
     std::string tried;
     for (const std::string& name : names) {
-      // Local, so that the GL entry points of one library never stand in for those of another.
+      // RTLD_LOCAL, so that one library's GL entry points never replace those of another.
       handle_ = dlopen(name.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
       if (handle_) return;
       tried += (tried.empty() ? "" : " or ") + name;

@@ -69,10 +69,10 @@ class OsmesaBackend : public Context::Backend {
   }
 
  private:
-  // OSMesa insists on a buffer for the default framebuffer, which nothing draws to.
+  // OSMesa requires a buffer for the default framebuffer, although nothing draws to it.
   static constexpr int kSize = 16;
   Functions osmesa_;
-  std::array<unsigned char, kSize * kSize * 4> pixels_{};
+  std::array<unsigned char, std::size_t{4} * kSize * kSize> pixels_{};
   void* context_ = nullptr;
 };
 

@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 std::string systemMessage(int code) { return std::system_category().message(code); }
 
-// A new file that nobody else has, for this process alone.
+// Creates a new file that no other process has open.
 int openNew(const fs::path& path) { return ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666); }
 
 }  // namespace
@@ -33,7 +33,7 @@ AtomicFile::AtomicFile(const fs::path& target) : shown_(target), target_(target)
   const fs::file_status status = fs::status(target_, error);
   if (fs::exists(status) && !fs::is_regular_file(status))
     fail(shown_, fs::is_directory(status) ? "it is a folder" : "it is not a regular file");
-  // A short name of its own: the target's may already be as long as the file system takes.
+  // Not derived from the target's name, which may already be as long as the file system allows.
   temporary_ = target_.parent_path() / (".halfsilver-" + std::to_string(::getpid()) + "-" +
                                         std::to_string(std::hash<std::string>{}(target_.filename().string())) + ".tmp");
   ::unlink(temporary_.c_str());

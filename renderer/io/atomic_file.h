@@ -7,14 +7,14 @@
 
 namespace halfsilver {
 
-// A file that appears complete or not at all: it is written under a temporary name in the folder of its target and
-// renamed by commit(); without commit() the temporary is removed. Move-only.
+// A file that appears complete or not at all: it is written under a temporary name in its target's folder and renamed
+// by commit(); without commit() the temporary file is removed. Move-only.
 //
 // Every function throws Error (failed) with one line that names the target.
 class AtomicFile {
  public:
-  // Checks at once that the folder takes new files, and that the target is not a folder or a device, so that long work
-  // is not done in vain. A target that is a symbolic link stays one; the file behind it is replaced.
+  // Checks at once that the folder accepts new files and that the target is not a folder or a device, so that no long
+  // work is wasted. A target that is a symbolic link stays one; the file behind it is replaced.
   explicit AtomicFile(const std::filesystem::path& target);
   ~AtomicFile();
   AtomicFile(AtomicFile&& other) noexcept;
@@ -22,10 +22,10 @@ class AtomicFile {
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;
 
-  // Replaces the temporary's contents.
+  // Replaces the contents of the temporary file.
   void write(std::span<const std::byte> bytes);
   void write(std::string_view text);
-  // Renames the temporary to the target. Call after write().
+  // Renames the temporary file to the target. Call after write().
   void commit();
 
  private:

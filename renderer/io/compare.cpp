@@ -14,15 +14,15 @@ namespace {
 
 std::string sizeText(const Image& image) { return std::to_string(image.width) + "x" + std::to_string(image.height); }
 
-// R, G and B alone; grey is spread to all three.
+// Only R, G and B; gray is copied to all three.
 Image colors(const Image& image, const char* which) {
-  const int grey = image.channel("Y");
+  const int gray = image.channel("Y");
   const char* names[] = {"R", "G", "B"};
   Image result{image.width, image.height, {"R", "G", "B"}, {}};
   result.data.resize(image.pixelCount() * 3);
   std::size_t bad = 0;
   for (std::size_t c = 0; c < 3; ++c) {
-    const int source = image.channel(names[c]) >= 0 ? image.channel(names[c]) : grey;
+    const int source = image.channel(names[c]) >= 0 ? image.channel(names[c]) : gray;
     if (source < 0) reject(std::string("the ") + which + " has no channel " + names[c]);
     for (std::size_t p = 0; p < image.pixelCount(); ++p) {
       const float value = image.data[p * image.channels.size() + static_cast<std::size_t>(source)];
@@ -31,7 +31,7 @@ Image colors(const Image& image, const char* which) {
     }
   }
   if (bad > 0)
-    reject("the " + std::string(which) + " holds " + std::to_string(bad) + " colour values that are not finite");
+    reject("the " + std::string(which) + " contains " + std::to_string(bad) + " color values that are not finite");
   return result;
 }
 
@@ -55,7 +55,7 @@ double sceneDiagonal(const ImageFile& image, const ImageFile& reference, std::op
   if (given) return *given;
   if (!image.diagonal && !reference.diagonal)
     throw Error(ErrorKind::usage,
-                "neither file says the scene's diagonal (attribute halfsilver:diagonal): give it with --diagonal");
+                "neither file contains the scene's diagonal (attribute halfsilver:diagonal): give it with --diagonal");
   const double a = image.diagonal.value_or(*reference.diagonal);
   const double b = reference.diagonal.value_or(a);
   if (!(std::abs(a - b) <= 1e-3 * std::max(a, b)))
@@ -107,7 +107,7 @@ LayerComparison compareLayers(const Image& image, const Image& reference, double
 Comparison compareImages(const ImageFile& image, const ImageFile& reference, std::optional<double> diagonal) {
   requireSameSize(image.image, reference.image);
   if (image.linear != reference.linear)
-    reject("one file holds linear radiance, the other display values: compare like with like");
+    reject("one file contains linear radiance, the other display values, which cannot be compared");
   const Image a = colors(image.image, "image"), b = colors(reference.image, "reference");
   Comparison result;
   double sum = 0, peak = 1;

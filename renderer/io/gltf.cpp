@@ -12,7 +12,7 @@
 #include "io/gltf_check.h"
 #include "io/gltf_document.h"
 
-// The only file that knows tinygltf. It turns the parser's model into a Document and does nothing else with it.
+// The only file that uses tinygltf. It converts the parser's model into a Document and does nothing else with it.
 namespace halfsilver {
 namespace gltf {
 namespace {
@@ -33,14 +33,14 @@ std::vector<std::uint8_t> readFile(const std::filesystem::path& path, const Diag
   return bytes;
 }
 
-// Images are kept encoded: only those that a material uses are decoded, once their bytes are known to be there.
+// Keeps images encoded: only those that a material uses are decoded, once their bytes are known to exist.
 bool keepEncoded(tinygltf::Image* image, int, std::string*, std::string*, int, int, const unsigned char* bytes,
                  int size, void*) {
   if (image->bufferView < 0) image->image.assign(bytes, bytes + size);
   return true;
 }
 
-// The parser's way to files.
+// How the parser reads files.
 struct Files {
   std::string folder;                      // of the scene
   std::vector<std::size_t> bufferLengths;  // what external buffers declare; the parser reads them first, in order
@@ -53,7 +53,7 @@ bool isBeside(const std::string& path, void* user) {
   return path.starts_with(static_cast<const Files*>(user)->folder) && std::filesystem::is_regular_file(path, error);
 }
 
-// A buffer's file may be longer than the buffer, which the parser refuses.
+// A buffer's file may be longer than the buffer, but the parser rejects that.
 bool readExternal(std::vector<unsigned char>* bytes, std::string* error, const std::string& path, void* user) {
   if (!tinygltf::ReadWholeFile(bytes, error, path, nullptr)) return false;
   Files& files = *static_cast<Files*>(user);
@@ -63,8 +63,8 @@ bool readExternal(std::vector<unsigned char>* bytes, std::string* error, const s
 }
 
 std::string firstLine(const std::string& text) {
-  constexpr std::size_t kMost = 300;
-  return text.substr(0, std::min(text.find('\n'), kMost));
+  constexpr std::size_t kMaxLength = 300;
+  return text.substr(0, std::min(text.find('\n'), kMaxLength));
 }
 
 tinygltf::Model parse(const std::filesystem::path& path, Diagnostics& diagnostics) {
@@ -104,7 +104,7 @@ int whole(const tinygltf::Value& object, const char* key, int absent) {
   return value.IsInt() ? value.GetNumberAsInt() : absent;
 }
 
-// As many numbers as there are components; others keep their value.
+// Missing components keep their value.
 template <class Vector>
 Vector vector(const tinygltf::Value& object, const char* key, Vector absent) {
   const tinygltf::Value& value = object.Get(key);
@@ -316,7 +316,7 @@ Model loadGltf(const std::filesystem::path& file) {
   } catch (const Error&) {
     throw;
   } catch (const std::bad_alloc&) {
-    diagnostics.fail("needs more memory than there is", "");
+    diagnostics.fail("needs more memory than is available", "");
   } catch (const std::exception& error) {
     diagnostics.fail("cannot be read", error.what());
   }

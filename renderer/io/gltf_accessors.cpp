@@ -84,8 +84,8 @@ std::size_t allBytes(const Document& document) {
   return total;
 }
 
-// Visits the bytes of every element in order, with the sparse ones laid over them; an accessor without a view holds
-// zeros, of which there can be no more than the file has bytes: they stand beside stored data.
+// Visits the bytes of every element in order, with sparse elements replaced. An accessor without a view is all zeros;
+// it cannot have more of them than the file has bytes, since they accompany stored data.
 template <class Store>
 void visit(const Document& document, Diagnostics& diagnostics, const Accessor& accessor, const std::string& where,
            const Store& store) {
@@ -111,10 +111,10 @@ void visit(const Document& document, Diagnostics& diagnostics, const Accessor& a
   }
 }
 
-const Accessor& checked(const Document& document, Diagnostics& diagnostics, int index, int least, int most,
-                        const std::string& where) {
+const Accessor& checked(const Document& document, Diagnostics& diagnostics, int index, int minComponents,
+                        int maxComponents, const std::string& where) {
   const Accessor& accessor = get(document.accessors, index, "accessors", diagnostics, where);
-  if (accessor.components < least || accessor.components > most)
+  if (accessor.components < minComponents || accessor.components > maxComponents)
     diagnostics.fail("has elements of a wrong type", where);
   if (accessor.count == 0) diagnostics.fail("has no elements", where);
   if (accessor.view < 0 && accessor.count > allBytes(document))
@@ -143,10 +143,10 @@ std::span<const std::uint8_t> viewBytes(const Document& document, const Diagnost
   return std::span<const std::uint8_t>(buffer).subspan(source.offset, source.length);
 }
 
-Floats readFloats(const Document& document, Diagnostics& diagnostics, int index, int least, int most,
+Floats readFloats(const Document& document, Diagnostics& diagnostics, int index, int minComponents, int maxComponents,
                   const std::string& where) {
   const std::string place = named(where, index);
-  const Accessor& accessor = checked(document, diagnostics, index, least, most, place);
+  const Accessor& accessor = checked(document, diagnostics, index, minComponents, maxComponents, place);
   const auto components = static_cast<std::size_t>(accessor.components);
   const std::size_t bytes = componentBytes(accessor.componentType, diagnostics, place);
   Floats result;

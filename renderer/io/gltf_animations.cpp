@@ -25,7 +25,7 @@ class ChannelReader {
   ChannelReader(const Document& document, Diagnostics& diagnostics, const Hierarchy& hierarchy)
       : document_(document), diagnostics_(diagnostics), hierarchy_(hierarchy) {}
 
-  // Nothing where the channel cannot be played.
+  // Nothing if the channel cannot be played.
   std::optional<halfsilver::Channel> read(const Animation& animation, const Channel& source, const std::string& where) {
     get(document_.nodes, source.node, "nodes", diagnostics_, where);
     const AnimationSampler& sampler = get(animation.samplers, source.sampler, "samplers", diagnostics_, where);
@@ -53,7 +53,7 @@ class ChannelReader {
     else if (sampler.interpolation == "CUBICSPLINE")
       channel.interpolation = Interpolation::cubicSpline;
     else if (sampler.interpolation != "LINEAR")
-      diagnostics_.warn("an unknown interpolation is taken as LINEAR: " + where);
+      diagnostics_.warn("an unknown interpolation is treated as LINEAR: " + where);
     readKeys(sampler, width, channel, where);
     return channel;
   }
@@ -70,7 +70,7 @@ class ChannelReader {
     requireFinite(channel.times, diagnostics_, where + ".input");
     if (channel.times.front() < 0 ||
         std::adjacent_find(channel.times.begin(), channel.times.end(), std::greater_equal<>()) != channel.times.end())
-      diagnostics_.fail("has times that do not rise from 0", where + ".input");
+      diagnostics_.fail("has times that do not increase from 0", where + ".input");
     const bool isWeights = channel.property == AnimatedProperty::weights;
     const int components = isWeights ? 1 : static_cast<int>(width);
     channel.values =

@@ -16,11 +16,11 @@
 namespace halfsilver::gltf {
 namespace {
 
-// Squared areas and squared diagonals of larger scenes leave the range of floats.
+// Squared areas and squared diagonals of larger scenes exceed the range of floats.
 constexpr double kLargestExtent = 1e9;
 constexpr double kLargestCoordinate = 1e30;
-constexpr std::size_t kMostVertices = std::size_t{1} << 25;
-constexpr std::size_t kMostTriangles = std::size_t{1} << 25;
+constexpr std::size_t kMaxVertices = std::size_t{1} << 25;
+constexpr std::size_t kMaxTriangles = std::size_t{1} << 25;
 
 // Bounds in double precision.
 struct WorldBounds {
@@ -32,8 +32,8 @@ struct WorldBounds {
   }
 };
 
-// Where coordinates count from: zero, or for a scene that is far from zero for its size a round point near its centre,
-// the nearest multiple of a power of two, so that subtracting it is exact.
+// The origin of relative coordinates: zero or, if the scene is far from zero for its size, a round point near its
+// center: the nearest multiple of a power of two, so that subtracting it is exact.
 glm::dvec3 chooseOrigin(const WorldBounds& bounds) {
   constexpr double kFar = 32;  // sizes
   const double size = glm::length(bounds.high - bounds.low);
@@ -54,8 +54,8 @@ bool hasArea(const Instance& shape, const std::array<std::uint32_t, 3>& t) {
   return squaredNormal(shape.rest[t[0]].position, shape.rest[t[1]].position, shape.rest[t[2]].position) > 0;
 }
 
-// True where a shader gets a normal in single precision: the squared area is a normal float, and the cross product is
-// more than its own rounding errors.
+// Whether a shader can compute a normal in single precision: the squared area is a normal float, and the cross product
+// is larger than its own rounding errors.
 bool hasNormal(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
   constexpr double kSine = 1.0 / (1 << 22);
   const glm::dvec3 ab = glm::dvec3(b) - glm::dvec3(a), ac = glm::dvec3(c) - glm::dvec3(a);
@@ -95,7 +95,7 @@ class Builder {
   }
 
  private:
-  // Only meshes that the scene shows are read; several nodes share one reading.
+  // Only meshes that the scene shows are read, each once for all its nodes.
   void readMeshes() {
     std::optional<std::uint32_t> defaultMaterial;
     meshes_.resize(document_.meshes.size());
@@ -143,14 +143,14 @@ class Builder {
     return skin;
   }
 
-  // Before anything is made of them.
+  // Checked before anything is allocated for them.
   void checkCounts() {
     std::size_t vertices = 0, triangles = 0;
     forEachPlaced([&](const Geometry& geometry) {
       vertices += geometry.shape.rest.size();
       triangles += geometry.triangles.size();
-      if (vertices > kMostVertices || triangles > kMostTriangles)
-        diagnostics_.fail("has more than " + std::to_string(kMostTriangles) + " triangles or vertices",
+      if (vertices > kMaxVertices || triangles > kMaxTriangles)
+        diagnostics_.fail("has more than " + std::to_string(kMaxTriangles) + " triangles or vertices",
                           "its nodes' meshes together");
     });
     if (triangles == 0) diagnostics_.fail("has no triangles", document_.nodes.empty() ? "it has no nodes" : "scene");
@@ -174,7 +174,7 @@ class Builder {
     const glm::dvec3 extent = bounds.high - bounds.low;
     if (const double largest = std::max({extent.x, extent.y, extent.z}); largest > kLargestExtent) {
       std::ostringstream text;
-      text << "is " << largest << " m across, at most " << kLargestExtent << " m can be drawn";
+      text << "is " << largest << " m across; at most " << kLargestExtent << " m can be drawn";
       diagnostics_.fail(text.str(), "scene");
     }
     if (bounds.low.x <= bounds.high.x) model_.scene.origin = chooseOrigin(bounds);
@@ -210,7 +210,7 @@ class Builder {
     if (scene.triangles.empty())
       diagnostics_.fail("has no triangles left", std::to_string(model_.dropped.degenerate) + " are degenerate, " +
                                                      std::to_string(model_.dropped.nonFinite) + " are not finite");
-    // Unused vertices of hidden corners must not carry what a buffer's reader would choke on.
+    // Unused vertices must not contain values that a reader of the buffer would choke on.
     for (Vertex& vertex : scene.vertices)
       if (glm::any(glm::isnan(vertex.position)) || glm::any(glm::isinf(vertex.position)))
         vertex.position = glm::vec3(0);
@@ -254,12 +254,12 @@ class Builder {
     if (scene.lights.empty()) {
       scene.lights.push_back(sun());
       model_.rig.lightNodes.push_back(-1);
-      diagnostics_.warn("the scene has no lights: a sun and the default sky light it");
+      diagnostics_.warn("the scene has no lights: it is lit by a default sun and sky");
     }
     if (scene.cameras.empty()) {
       scene.cameras.push_back(frameAll(bounds));
       model_.rig.cameraNodes.push_back(-1);
-      diagnostics_.warn("the scene has no camera: the view shows the whole of it");
+      diagnostics_.warn("the scene has no camera: the view shows the whole scene");
     }
   }
 

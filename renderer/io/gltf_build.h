@@ -5,7 +5,7 @@
 
 namespace halfsilver::gltf {
 
-// Flattens the document's scene at rest. The model takes the warnings of `diagnostics` with it.
+// Flattens the document's scene at rest. The model takes over the warnings of `diagnostics`.
 Model build(const Document& document, Diagnostics& diagnostics);
 
 }  // namespace halfsilver::gltf

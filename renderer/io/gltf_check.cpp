@@ -13,7 +13,7 @@ using nlohmann::json;
 
 constexpr int kDeepest = 128;
 
-// Whole numbers wherever the core format has them.
+// Keys whose values are indices or other whole numbers in the core format.
 constexpr std::array kIndexKeys = {"buffer",    "bufferView", "componentType", "indices",  "inverseBindMatrices",
                                    "input",     "material",   "mesh",          "mode",     "node",
                                    "output",    "camera",     "index",         "texCoord", "sampler",
@@ -53,16 +53,16 @@ void checkNesting(std::string_view text, const Diagnostics& diagnostics) {
   }
 }
 
-void checkWhole(const json& value, std::int64_t most, const Diagnostics& diagnostics, const std::string& where) {
+void checkWhole(const json& value, std::int64_t max, const Diagnostics& diagnostics, const std::string& where) {
   if (!value.is_number_integer()) diagnostics.fail("is not a whole number", where);
-  const bool huge = value.is_number_unsigned() && value.get<std::uint64_t>() > static_cast<std::uint64_t>(most);
+  const bool huge = value.is_number_unsigned() && value.get<std::uint64_t>() > static_cast<std::uint64_t>(max);
   if (huge || value.get<std::int64_t>() < 0) diagnostics.fail("is out of range", where);
 }
 
 // `indices`: every number below is an index. Depth is bounded by checkNesting.
 void checkNumbers(const json& value, bool indices, const Diagnostics& diagnostics, const std::string& where) {
-  constexpr std::int64_t kMostIndex = std::numeric_limits<std::int32_t>::max();
-  constexpr std::int64_t kMostBytes = std::int64_t{1} << 52;
+  constexpr std::int64_t kMaxIndex = std::numeric_limits<std::int32_t>::max();
+  constexpr std::int64_t kMaxBytes = std::int64_t{1} << 52;
   if (value.is_array()) {
     for (std::size_t i = 0; i < value.size(); ++i)
       checkNumbers(value[i], indices, diagnostics, where + "[" + std::to_string(i) + "]");
@@ -72,15 +72,15 @@ void checkNumbers(const json& value, bool indices, const Diagnostics& diagnostic
       const std::string inside = where.empty() ? key : where + "." + key;
       const bool nested = member.is_object() || member.is_array();
       if (contains(kSizeKeys, key))
-        checkWhole(member, kMostBytes, diagnostics, inside);
+        checkWhole(member, kMaxBytes, diagnostics, inside);
       else if (contains(kIndexKeys, key) && !nested)
-        checkWhole(member, kMostIndex, diagnostics, inside);
+        checkWhole(member, kMaxIndex, diagnostics, inside);
       else
         checkNumbers(member, indices || contains(kIndexLists, key) || (key == "nodes" && !where.empty()), diagnostics,
                      inside);
     }
   } else if (indices) {
-    checkWhole(value, kMostIndex, diagnostics, where);
+    checkWhole(value, kMaxIndex, diagnostics, where);
   }
 }
 
@@ -98,12 +98,12 @@ void checkExtensions(const json& root, Diagnostics& diagnostics) {
       if (contains(kExtensions, name)) continue;
       if (std::strcmp(list, "extensionsRequired") == 0)
         diagnostics.fail("needs the extension " + name + ", which is not supported", list);
-      diagnostics.warn("the extension " + name + " is left out");
+      diagnostics.warn("the extension " + name + " is ignored");
     }
   }
 }
 
-// The parser leaves these out without a word, which would shift what follows them.
+// The parser skips these silently, which would shift what follows them.
 void checkParts(const json& root, const Diagnostics& diagnostics) {
   const json& meshes = listOf(root, "meshes");
   for (std::size_t m = 0; m < meshes.size(); ++m) {
@@ -134,7 +134,7 @@ void checkAnimations(const json& root, Diagnostics& diagnostics) {
       if (!channel.contains("sampler") || target == channel.end() || !target->is_object())
         diagnostics.fail("has a channel without sampler or target", item("animations", a));
       if (!target->contains("node"))
-        diagnostics.warn("an animation channel that targets no node was left out: " + item("animations", a));
+        diagnostics.warn("an animation channel that targets no node was skipped: " + item("animations", a));
     }
   }
 }
@@ -165,7 +165,7 @@ std::vector<std::size_t> checkJson(std::string_view text, bool binary, Diagnosti
     if (version == asset->end() || !version->is_string()) continue;
     const std::string needed = version->get<std::string>().substr(0, 20);
     const bool readable = std::strcmp(key, "version") == 0 ? needed.starts_with("2.") : needed == "2.0";
-    if (!readable) diagnostics.fail("needs glTF " + needed + ", this reads 2.0", std::string("asset.") + key);
+    if (!readable) diagnostics.fail("needs glTF " + needed + ", only 2.0 is supported", std::string("asset.") + key);
   }
   checkExtensions(root, diagnostics);
   for (const char* key : kLists) {
@@ -195,13 +195,13 @@ std::string_view checkBinary(std::span<const std::uint8_t> bytes, const Diagnost
   constexpr std::uint32_t kJson = 0x4e4f534a;
   const auto truncated = [&](std::uint64_t needed, const char* where) {
     if (bytes.size() < needed)
-      diagnostics.fail("is truncated, " + std::to_string(needed) + " bytes are announced and " +
-                           std::to_string(bytes.size()) + " are there",
-                       where);
+      diagnostics.fail(
+          "is truncated: it declares " + std::to_string(needed) + " bytes and has " + std::to_string(bytes.size()),
+          where);
   };
   truncated(20, "header");
   if (const std::uint32_t version = littleEndian(bytes, 4); version != 2)
-    diagnostics.fail("is binary glTF of version " + std::to_string(version) + ", this reads 2", "header");
+    diagnostics.fail("is binary glTF of version " + std::to_string(version) + ", only 2 is supported", "header");
   truncated(littleEndian(bytes, 8), "header");
   const std::uint32_t jsonLength = littleEndian(bytes, 12);
   if (littleEndian(bytes, 16) != kJson) diagnostics.fail("does not begin with a JSON chunk", "chunk 0");

@@ -14,9 +14,9 @@ void Diagnostics::fail(const std::string& what, const std::string& where) const 
 }
 
 void Diagnostics::warn(const std::string& text) {
-  constexpr std::size_t kMost = 100;
-  if (warnings.size() > kMost || std::find(warnings.begin(), warnings.end(), text) != warnings.end()) return;
-  warnings.push_back(warnings.size() < kMost ? text : "further warnings were left out");
+  constexpr std::size_t kMaxWarnings = 100;
+  if (warnings.size() > kMaxWarnings || std::find(warnings.begin(), warnings.end(), text) != warnings.end()) return;
+  warnings.push_back(warnings.size() < kMaxWarnings ? text : "further warnings were omitted");
 }
 
 void Diagnostics::spend(std::uint64_t elements, const std::string& where) {
@@ -25,7 +25,7 @@ void Diagnostics::spend(std::uint64_t elements, const std::string& where) {
 }
 
 void Diagnostics::require(std::uint64_t elements, const std::string& where) const {
-  if (elements > budget) fail("unfolds to more data than is allowed", where);
+  if (elements > budget) fail("expands to more data than is allowed", where);
 }
 
 std::string item(const char* list, std::size_t index) { return std::string(list) + "[" + std::to_string(index) + "]"; }

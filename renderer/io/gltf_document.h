@@ -11,8 +11,8 @@
 
 #include <halfsilver/model.h>
 
-// A glTF file as plain data, free of the parser's types. Only JSON types have been checked: whoever follows an index
-// does so with get(), whoever reads a buffer does so with gltf_accessors.
+// A glTF file as plain data, free of the parser's types. Only JSON types have been checked so far: follow indices with
+// get() and read buffers with gltf_accessors.
 namespace halfsilver::gltf {
 
 struct BufferView {
@@ -30,7 +30,7 @@ struct Accessor {
   int view = -1;  // -1: zeros
   std::size_t offset = 0, count = 0;
   int componentType = 0;  // glTF's number, 5126 is float
-  int components = 0;     // of an element
+  int components = 0;     // per element
   bool normalized = false;
   std::optional<Sparse> sparse;
 };
@@ -78,7 +78,7 @@ struct TextureSource {
 struct ImageSource {
   std::string name;                 // for messages
   int view = -1;                    // -1: `bytes`
-  std::vector<std::uint8_t> bytes;  // encoded; empty where the file could not be read
+  std::vector<std::uint8_t> bytes;  // encoded; empty if the file could not be read
 };
 
 struct Skin {
@@ -129,38 +129,38 @@ struct Document {
   std::vector<Animation> animations;
   std::vector<CameraInfo> cameras;
   std::vector<LightInfo> lights;
-  std::optional<std::vector<int>> sceneNodes;  // none: every root
+  std::optional<std::vector<int>> sceneNodes;  // nothing: every root
 };
 
-// Where messages go, and what a file may still ask for.
+// Collects messages, and limits how much data a file may expand to.
 struct Diagnostics {
   std::string file;
   std::vector<std::string> warnings;
-  // Elements that accessors may still unfold to; small files can name the same bytes any number of times.
+  // Elements that accessors may still expand to; small files can refer to the same bytes any number of times.
   std::uint64_t budget = std::uint64_t{1} << 28;
 
   // Throws Error (badInput): "file: what: where".
   [[noreturn]] void fail(const std::string& what, const std::string& where) const;
-  void warn(const std::string& text);  // said once, and not without end
+  void warn(const std::string& text);  // each text once, and a limited number
   void spend(std::uint64_t elements, const std::string& where);
-  void require(std::uint64_t elements, const std::string& where) const;  // that so many could be spent
+  void require(std::uint64_t elements, const std::string& where) const;  // throws unless so many are left
 };
 
 // "meshes[3]"
 std::string item(const char* list, std::size_t index);
 
-// The element that an index of the file names.
+// The element that an index in the file refers to.
 template <class T>
 const T& get(const std::vector<T>& list, int index, const char* name, const Diagnostics& diagnostics,
              const std::string& where) {
   if (index < 0 || static_cast<std::size_t>(index) >= list.size())
-    diagnostics.fail(
-        "names " + std::string(name) + "[" + std::to_string(index) + "], there are " + std::to_string(list.size()),
-        where);
+    diagnostics.fail("refers to " + std::string(name) + "[" + std::to_string(index) + "], but there are " +
+                         std::to_string(list.size()),
+                     where);
   return list[static_cast<std::size_t>(index)];
 }
 
-// Decodes PNG or JPEG into RGBA8; false where it does not decode. Stands beside the parser, whose decoder it uses.
+// Decodes PNG or JPEG into RGBA8; false if it does not decode. Uses the decoder of the parser.
 bool decodeImage(std::span<const std::uint8_t> bytes, Texture& texture);
 
 }  // namespace halfsilver::gltf

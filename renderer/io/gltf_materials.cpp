@@ -12,7 +12,7 @@ namespace halfsilver::gltf {
 namespace {
 
 constexpr unsigned kLargestSide = 16384;
-constexpr std::uint64_t kMostTexels = std::uint64_t{1} << 30;  // of all textures together
+constexpr std::uint64_t kMaxTexels = std::uint64_t{1} << 30;  // of all textures together
 
 std::uint32_t bigEndian(std::span<const std::uint8_t> bytes, std::size_t offset, std::size_t width) {
   std::uint32_t value = 0;
@@ -49,8 +49,7 @@ class Builder {
       scene_.materials.push_back(material(document_.materials[m], item("materials", m)));
     if (blended_)
       diagnostics_.warn(std::to_string(blended_) + " material(s) with alphaMode BLEND (\"" + firstBlended_ +
-                        "\") are drawn without blending: cut where the alpha of texture times vertex colour is below "
-                        "a half");
+                        "\") are drawn without blending: cut out where texture alpha times vertex alpha is below 0.5");
   }
 
  private:
@@ -61,27 +60,27 @@ class Builder {
   }
 
   Material material(const MaterialInfo& info, const std::string& where) {
-    constexpr float kMost = 1e9f;
+    constexpr float kLargest = 1e9f;
     Material result = info.material;
     for (int c = 0; c < 4; ++c) result.baseColor[c] = clamped(result.baseColor[c], 0, 1, "baseColorFactor", where);
     for (int c = 0; c < 3; ++c) {
-      result.emissive[c] = clamped(result.emissive[c], 0, kMost, "emissive", where);
-      result.specularColor[c] = clamped(result.specularColor[c], 0, kMost, "specularColorFactor", where);
+      result.emissive[c] = clamped(result.emissive[c], 0, kLargest, "emissive", where);
+      result.specularColor[c] = clamped(result.specularColor[c], 0, kLargest, "specularColorFactor", where);
     }
     result.metallic = clamped(result.metallic, 0, 1, "metallicFactor", where);
     result.roughness = clamped(result.roughness, 0, 1, "roughnessFactor", where);
-    result.normalScale = clamped(result.normalScale, -kMost, kMost, "normalTexture.scale", where);
+    result.normalScale = clamped(result.normalScale, -kLargest, kLargest, "normalTexture.scale", where);
     result.occlusionStrength = clamped(result.occlusionStrength, 0, 1, "occlusionTexture.strength", where);
     result.specular = clamped(result.specular, 0, 1, "specularFactor", where);
-    result.alphaCutoff = clamped(result.alphaCutoff, 0, kMost, "alphaCutoff", where);
-    // KHR_materials_ior: 0 stands for an infinite index, whose reflectance is 1 from everywhere.
-    result.ior = result.ior == 0 ? kMost : clamped(result.ior, 1, kMost, "ior", where);
+    result.alphaCutoff = clamped(result.alphaCutoff, 0, kLargest, "alphaCutoff", where);
+    // KHR_materials_ior: 0 means an infinite index, whose reflectance is 1 at every angle.
+    result.ior = result.ior == 0 ? kLargest : clamped(result.ior, 1, kLargest, "ior", where);
     if (info.alphaMode == "MASK")
       result.alphaMode = AlphaMode::mask;
     else if (info.alphaMode == "BLEND")
       result.alphaMode = AlphaMode::blend;
     else if (info.alphaMode != "OPAQUE")
-      diagnostics_.warn("an unknown alphaMode is taken as OPAQUE: " + where);
+      diagnostics_.warn("an unknown alphaMode is treated as OPAQUE: " + where);
     if (result.alphaMode == AlphaMode::blend && blended_++ == 0)
       firstBlended_ = result.name.empty() ? where : result.name;
 
@@ -101,15 +100,16 @@ class Builder {
     const TextureSource& source = get(document_.textures, info.texture, "textures", diagnostics_, where);
     const std::string place = item("textures", static_cast<std::size_t>(info.texture));
     if (source.image < 0) {
-      diagnostics_.warn("a texture without an image that can be read was left out: " + place);
+      diagnostics_.warn("a texture without a readable image was ignored: " + place);
       return result;
     }
     result.texture = texture(source.image, srgb, place);
     if (source.sampler >= 0)
       sample(get(document_.samplers, source.sampler, "samplers", diagnostics_, place), result, place);
-    if (info.texCoord > 1) diagnostics_.warn("only TEXCOORD_0 and TEXCOORD_1 are read, the first stands in: " + where);
+    if (info.texCoord > 1)
+      diagnostics_.warn("only TEXCOORD_0 and TEXCOORD_1 are supported, TEXCOORD_0 is used instead: " + where);
     result.uvSet = info.texCoord == 1 ? 1 : 0;
-    // The angle turns from u to -v: v points down, and the extension counts counter-clockwise as seen.
+    // The angle turns from u to -v: v points down, and the extension's angles are counter-clockwise as seen.
     const double c = std::cos(info.rotation), s = std::sin(info.rotation);
     result.transform = {glm::vec3(glm::dvec3(c * info.scale.x, s * info.scale.y, info.offset.x)),
                         glm::vec3(glm::dvec3(-s * info.scale.x, c * info.scale.y, info.offset.y))};
@@ -123,7 +123,7 @@ class Builder {
     const auto wrap = [&](int mode) {
       if (mode == 33071) return Wrap::clamp;
       if (mode == 33648) return Wrap::mirror;
-      if (mode != 10497) diagnostics_.warn("an unknown wrap mode is taken as repeat: " + where);
+      if (mode != 10497) diagnostics_.warn("an unknown wrap mode is treated as repeat: " + where);
       return Wrap::repeat;
     };
     use.wrapU = wrap(sampler.wrapS);
@@ -162,17 +162,17 @@ class Builder {
     if (size == glm::uvec2(0)) diagnostics_.fail("an image is neither PNG nor JPEG", place);
     if (std::max(size.x, size.y) > kLargestSide)
       diagnostics_.fail("an image is " + std::to_string(size.x) + " x " + std::to_string(size.y) + ", at most " +
-                            std::to_string(kLargestSide) + " a side is read",
+                            std::to_string(kLargestSide) + " per side is supported",
                         place);
     reserve(size, place);
     texture.name = source.name;
     if (!decodeImage(bytes, texture)) diagnostics_.fail("an image does not decode", place);
   }
 
-  // Before anything is decoded: a few bytes can unfold to gigabytes.
+  // Checked before anything is decoded: a few bytes can expand to gigabytes.
   void reserve(const glm::uvec2& size, const std::string& where) {
     texels_ += std::uint64_t{size.x} * size.y;
-    if (texels_ > kMostTexels) diagnostics_.fail("the images together are larger than is allowed", where);
+    if (texels_ > kMaxTexels) diagnostics_.fail("the images together are larger than is allowed", where);
   }
 
   const Document& document_;

@@ -29,7 +29,7 @@ bool isFinite(const Vector& v) {
   return true;
 }
 
-// Length 1 up to rounding, whatever the scale; zero where there is no direction.
+// Length 1 up to rounding, whatever the scale; zero if there is no direction.
 glm::vec3 unit(const glm::vec3& v) {
   const glm::dvec3 exact(v);
   const double length = glm::length(exact);
@@ -72,9 +72,9 @@ class Reader {
     return found == source_.attributes.end() ? -1 : found->second;
   }
 
-  Floats floats(const std::string& attribute, int accessor, int least, int most) {
+  Floats floats(const std::string& attribute, int accessor, int minComponents, int maxComponents) {
     const std::string where = where_ + "." + attribute;
-    Floats result = readFloats(document_, diagnostics_, accessor, least, most, where);
+    Floats result = readFloats(document_, diagnostics_, accessor, minComponents, maxComponents, where);
     if (!vertices_.empty() && result.count() != vertices_.size())
       diagnostics_.fail(
           "has " + std::to_string(result.count()) + " elements for " + std::to_string(vertices_.size()) + " vertices",
@@ -112,7 +112,7 @@ class Reader {
             "has the index " + std::to_string(index) + " for " + std::to_string(vertices_.size()) + " vertices",
             where_ + ".indices");
     if (source_.mode == kTriangles && indices.size() % 3 != 0)
-      diagnostics_.warn("indices that make no whole triangle were left out: " + where_);
+      diagnostics_.warn("indices that do not make a whole triangle were ignored: " + where_);
     auto& triangles = geometry_.triangles;
     if (source_.mode == kTriangles) {
       for (std::size_t i = 0; i + 2 < indices.size(); i += 3)
@@ -139,7 +139,7 @@ class Reader {
     return true;
   }
 
-  // Vertices whose normal has no direction take that of one of their triangles.
+  // Vertices whose normal has no direction take the normal of one of their triangles.
   void repairNormals(const std::vector<std::uint8_t>& missing) {
     bool used = false;
     for (const Corners& triangle : geometry_.triangles)
@@ -194,16 +194,16 @@ class Reader {
       if (isFinite(color))
         vertices_[i].color = glm::clamp(color, 0.0f, 1.0f);
       else
-        diagnostics_.warn("vertex colours that are not finite were set to white: " + where_);
+        diagnostics_.warn("vertex colors that are not finite were set to white: " + where_);
     }
   }
 
   void readSkin() {
     if (accessor("JOINTS_0") < 0 || accessor("WEIGHTS_0") < 0) return;
-    if (accessor("JOINTS_1") >= 0) diagnostics_.warn("only the first four joints of a vertex are used: " + where_);
+    if (accessor("JOINTS_1") >= 0) diagnostics_.warn("only the first four joints of each vertex are used: " + where_);
     const std::string where = where_ + ".JOINTS_0";
     const auto joints = readUnsigned(document_, diagnostics_, accessor("JOINTS_0"), 4, where);
-    if (joints.size() != 4 * vertices_.size()) diagnostics_.fail("has not four joints a vertex", where);
+    if (joints.size() != 4 * vertices_.size()) diagnostics_.fail("does not have four joints per vertex", where);
     const Floats weights = floats("WEIGHTS_0", accessor("WEIGHTS_0"), 4, 4);
     Instance& shape = geometry_.shape;
     for (std::size_t i = 0; i < vertices_.size(); ++i) {
@@ -211,7 +211,7 @@ class Reader {
       glm::uvec4 joint(0);
       for (int k = 0; k < 4; ++k) {
         if (!std::isfinite(weight[k]) || weight[k] < 0) weight[k] = 0;
-        // The joint of an unused slot is often left over from something else.
+        // The joint of an unused slot is often leftover data.
         if (weight[k] > 0) joint[k] = joints[4 * i + static_cast<std::size_t>(k)];
         geometry_.largestJoint = std::max(geometry_.largestJoint, joint[k]);
       }
@@ -231,7 +231,7 @@ class Reader {
         if (name == "NORMAL") deltas = &target.normals;
         if (name == "TANGENT") deltas = &target.tangents;
         if (!deltas) {
-          diagnostics_.warn("morph targets of " + name.substr(0, 40) + " are left out: " + where_);
+          diagnostics_.warn("morph targets of " + name.substr(0, 40) + " are ignored: " + where_);
           continue;
         }
         const Floats values = floats(item("targets", t) + "." + name, index, 3, 3);
@@ -246,7 +246,7 @@ class Reader {
     }
   }
 
-  // Flat shading, as glTF asks: each triangle gets vertices of its own.
+  // Flat shading, as glTF requires: each triangle gets its own vertices.
   void makeNormals() {
     std::vector<std::uint32_t> origins;
     for (const Corners& triangle : geometry_.triangles) origins.insert(origins.end(), triangle.begin(), triangle.end());
@@ -270,7 +270,7 @@ class Reader {
     geometry_.shape.flatNormals = true;
   }
 
-  // Gives vertices copied at the end what goes with them.
+  // Extends the per-vertex data to vertices copied at the end.
   void follow(const std::vector<std::uint32_t>& copied) {
     forEachList([&](auto& list) {
       if (list.empty()) return;
@@ -281,7 +281,7 @@ class Reader {
     });
   }
 
-  // What runs along with the vertices.
+  // The data that accompanies each vertex.
   template <class Change>
   void forEachList(const Change& change) {
     change(geometry_.finite);
@@ -316,7 +316,7 @@ Geometry readPrimitive(const Document& document, Diagnostics& diagnostics, int m
   if (source.mode < 0 || source.mode > kFan)
     diagnostics.fail("has the unknown mode " + std::to_string(source.mode), where);
   if (source.mode < kTriangles) {
-    diagnostics.warn("points and lines are left out: " + where);
+    diagnostics.warn("points and lines are ignored: " + where);
     return geometry;
   }
   if (source.material >= 0) {

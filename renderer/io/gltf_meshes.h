@@ -10,13 +10,13 @@ namespace halfsilver::gltf {
 struct Geometry {
   Instance shape;  // rest, targets, joints, weights, mesh, primitive; the placing node fills the rest
   std::vector<std::array<std::uint32_t, 3>> triangles;
-  std::vector<std::uint8_t> finite;  // 0 where a vertex's position is not; it stands at zero then
+  std::vector<std::uint8_t> finite;  // 0 for a vertex whose position is not; it is moved to zero
   std::uint32_t material = 0;        // into the scene's materials
   std::uint32_t largestJoint = 0;
 };
 
-// Reads a primitive as triangles with normals and, where its material has a normal texture, tangents. Empty where it
-// holds points or lines (a warning says so). `materials` gains the default material where a primitive names none.
+// Reads a primitive as triangles with normals and, if its material has a normal texture, tangents. Empty, with a
+// warning, if it consists of points or lines. Adds the default material to `materials` if the primitive has none.
 Geometry readPrimitive(const Document& document, Diagnostics& diagnostics, int mesh, int primitive,
                        std::vector<Material>& materials, std::optional<std::uint32_t>& defaultMaterial);
 

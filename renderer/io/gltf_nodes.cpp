@@ -46,7 +46,7 @@ halfsilver::Node convert(const Document& document, const Node& source, Diagnosti
     if (length > 0 && std::isfinite(length))
       node.rotation = glm::dquat(r[3] / length, r[0] / length, r[1] / length, r[2] / length);
     else
-      diagnostics.warn("a rotation without a direction was left out: " + where);
+      diagnostics.warn("a rotation without a direction was ignored: " + where);
   }
   const std::vector<double>* weights = &source.weights;
   if (source.mesh >= 0) {
@@ -138,7 +138,7 @@ void buildCameras(const Document& document, Diagnostics& diagnostics, const Hier
     const CameraInfo& source = get(document.cameras, index, "cameras", diagnostics, where);
     const std::string place = item("cameras", static_cast<std::size_t>(index));
     if (!source.perspective) {
-      diagnostics.warn("an orthographic camera was left out: " + place);
+      diagnostics.warn("an orthographic camera was ignored: " + place);
       continue;
     }
     Camera camera;
@@ -147,7 +147,7 @@ void buildCameras(const Document& document, Diagnostics& diagnostics, const Hier
     camera.nearPlane = ranged(source.znear, 0, kLargest, "znear", diagnostics, place);
     camera.farPlane = ranged(source.zfar, 0, kLargest, "zfar", diagnostics, place);
     if (camera.farPlane != 0 && camera.farPlane <= camera.nearPlane) {
-      diagnostics.warn("clipping planes in the wrong order were left out: " + place);
+      diagnostics.warn("clipping planes in the wrong order were ignored: " + place);
       camera.nearPlane = camera.farPlane = 0;
     }
     model.scene.cameras.push_back(camera);
@@ -171,7 +171,7 @@ void buildLights(const Document& document, Diagnostics& diagnostics, const Hiera
       light.type = LightType::spot;
     else if (source.type != "directional")
       diagnostics.fail("has the unknown type \"" + source.type.substr(0, 40) + "\"", place);
-    if (!source.color.empty() && source.color.size() != 3) diagnostics.fail("has a colour that is not RGB", place);
+    if (!source.color.empty() && source.color.size() != 3) diagnostics.fail("has a color that is not RGB", place);
     for (std::size_t c = 0; c < source.color.size(); ++c)
       light.color[static_cast<int>(c)] = ranged(source.color[c], 0, kLargest, "color", diagnostics, place);
     light.intensity = ranged(source.intensity, 0, kLargest, "intensity", diagnostics, place);

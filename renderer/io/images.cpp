@@ -24,7 +24,7 @@ struct OpenImageIo {
   OpenImageIoCompare* compare = nullptr;
 };
 
-// Found next to the program or in the linker's folders. Stays loaded: its libraries do not survive being unloaded.
+// Found next to the program or in the linker's search path. Stays loaded: its libraries cannot be unloaded safely.
 const OpenImageIo& openImageIo() {
   static const OpenImageIo functions = [] {
     OpenImageIo found;
@@ -73,7 +73,7 @@ ImageFile readImage(const std::filesystem::path& file) {
 
 std::vector<std::byte> encodePng(int width, int height, std::span<const std::uint8_t> rgba) {
   std::vector<std::byte> bytes = encodeSmallPng(width, height, rgba);
-  if (bytes.empty()) throw Error(ErrorKind::failed, "the picture cannot be written as PNG");
+  if (bytes.empty()) throw Error(ErrorKind::failed, "the picture cannot be encoded as PNG");
   return bytes;
 }
 
@@ -87,12 +87,12 @@ std::vector<std::byte> encodeExr(const Image& image, std::optional<double> diago
 std::size_t readSky(const std::filesystem::path& file, Sky& sky) {
   const ImageFile source = readImage(file);
   const Image& image = source.image;
-  const int grey = image.channel("Y");
-  const int channels[3] = {image.channel("R") < 0 ? grey : image.channel("R"),
-                           image.channel("G") < 0 ? grey : image.channel("G"),
-                           image.channel("B") < 0 ? grey : image.channel("B")};
+  const int gray = image.channel("Y");
+  const int channels[3] = {image.channel("R") < 0 ? gray : image.channel("R"),
+                           image.channel("G") < 0 ? gray : image.channel("G"),
+                           image.channel("B") < 0 ? gray : image.channel("B")};
   if (std::min({channels[0], channels[1], channels[2]}) < 0) reject(file, "a sky needs the channels R, G, B or Y");
-  constexpr float kBrightest = 65504;  // of half floats, which may store the sky
+  constexpr float kBrightest = 65504;  // the largest half float; the sky may be stored as such
   std::size_t repaired = 0;
   std::vector<float> texels(image.pixelCount() * 3);
   for (std::size_t i = 0; i < texels.size(); ++i) {

@@ -4,8 +4,8 @@
 
 #include <halfsilver/io.h>
 
-// What images.cpp asks of the module halfsilver_openimageio, which it opens with dlopen. Both sides are built together,
-// so C++ types cross the boundary; only the two names are C.
+// The interface of the module halfsilver_openimageio, which images.cpp opens with dlopen. Both sides are built
+// together, so C++ types may cross the boundary; only the two names have C linkage.
 namespace halfsilver {
 
 inline constexpr const char* kOpenImageIoModule = "libhalfsilver_openimageio.so";

@@ -27,12 +27,12 @@ const char* expectedType(Kind kind) {
     case Kind::real:
       return "a number";
     case Kind::choice:
-      return "a text in quotes";
+      return "a quoted string";
   }
   return "";
 }
 
-// The value as set() takes it; empty where the type is not the setting's.
+// The value as set() takes it; empty if it does not have the setting's type.
 std::string valueText(const toml::node& node, Kind kind) {
   if (kind == Kind::boolean && node.is_boolean()) return *node.value<bool>() ? "true" : "false";
   if (kind == Kind::choice && node.is_string()) return *node.value<std::string>();

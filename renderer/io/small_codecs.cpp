@@ -24,7 +24,7 @@ namespace halfsilver {
 namespace {
 
 constexpr const char* kDiagonal = "halfsilver:diagonal";
-constexpr double kMostValues = 1 << 30;
+constexpr double kMaxValues = 1 << 30;
 
 struct Freed {
   void operator()(void* memory) const { std::free(memory); }
@@ -70,7 +70,7 @@ bool decodeExr(std::span<const std::uint8_t> bytes, ImageFile& result, std::stri
   }
   const double columns = double(header.data_window.max_x) - header.data_window.min_x + 1;
   const double rows = double(header.data_window.max_y) - header.data_window.min_y + 1;
-  if (columns < 1 || rows < 1 || columns * rows * header.num_channels > kMostValues) {
+  if (columns < 1 || rows < 1 || columns * rows * header.num_channels > kMaxValues) {
     problem = "not an image of a usable size";
     return false;
   }
@@ -83,7 +83,7 @@ bool decodeExr(std::span<const std::uint8_t> bytes, ImageFile& result, std::stri
   }
   ExrImage decoded;
   if (LoadEXRImageFromMemory(&decoded, &header, bytes.data(), bytes.size(), &message) != TINYEXR_SUCCESS) {
-    InitEXRImage(&decoded);  // the library has freed what it made but left the pointers
+    InitEXRImage(&decoded);  // the library has freed its memory but left the pointers
     problem = takeMessage(message, "the pixels do not decode");
     return false;
   }
@@ -127,7 +127,7 @@ bool decodeStb(std::span<const std::uint8_t> bytes, ImageFile& result, std::stri
     problem = std::string("not an image: ") + stbi_failure_reason();
     return false;
   }
-  if (double(width) * height * channels > kMostValues) {
+  if (double(width) * height * channels > kMaxValues) {
     problem = "not an image of a usable size";
     return false;
   }
@@ -195,7 +195,7 @@ bool encodeSmallExr(const Image& image, std::optional<double> diagonal, std::vec
   std::sort(order.begin(), order.end(),
             [&](std::size_t a, std::size_t b) { return image.channels[a] < image.channels[b]; });
 
-  // tinyexr wants planes; the header's arrays are this function's, so the header is not freed by the library.
+  // tinyexr takes planes. The header's arrays belong to this function, so the library must not free the header.
   std::vector<std::vector<float>> planes(count, std::vector<float>(image.pixelCount()));
   std::vector<unsigned char*> pointers(count);
   std::vector<EXRChannelInfo> channels(count);

@@ -9,11 +9,11 @@
 
 #include <halfsilver/io.h>
 
-// The codecs that are always there: stb for PNG, JPEG and HDR, tinyexr for scanline EXR.
+// The codecs that are always available: stb for PNG, JPEG and HDR, tinyexr for scanline EXR.
 namespace halfsilver {
 
-// Whether the bytes begin as a PNG, JPEG or HDR file, which stb reads in full. (OpenImageIO reads them, too, but its
-// libraries print their own errors.)
+// Whether the bytes begin like a PNG, JPEG or HDR file, which stb reads completely. (OpenImageIO reads them too, but
+// its libraries print their own errors.)
 bool knowsFormat(std::span<const std::uint8_t> bytes);
 
 // False with one line in `problem` when the bytes do not decode.
@@ -22,7 +22,7 @@ bool decodeSmall(std::span<const std::uint8_t> bytes, ImageFile& result, std::st
 // Empty when the library refuses.
 std::vector<std::byte> encodeSmallPng(int width, int height, std::span<const std::uint8_t> rgba);
 
-// Channels sorted by name, as the format asks. False with one line in `problem`.
+// Sorts the channels by name, as the format requires. False with one line in `problem`.
 bool encodeSmallExr(const Image& image, std::optional<double> diagonal, std::vector<std::byte>& bytes,
                     std::string& problem);
 

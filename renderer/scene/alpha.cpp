@@ -85,7 +85,7 @@ std::vector<bool> materialsWithHoles(const Scene& scene) {
       for (const std::uint32_t vertex : triangle.vertices)
         vertexAlpha[triangle.material] = std::min(vertexAlpha[triangle.material], scene.vertices[vertex].color.a);
 
-  std::map<int, float> textures;  // least alpha
+  std::map<int, float> textures;  // smallest alpha
   std::vector<bool> holes(scene.materials.size(), false);
   for (std::size_t m = 0; m < scene.materials.size(); ++m) {
     const Material& material = scene.materials[m];
@@ -96,7 +96,7 @@ std::vector<bool> materialsWithHoles(const Scene& scene) {
       if (isNew) place->second = leastAlpha(*scene.textures[static_cast<std::size_t>(texture)]);
       texel = place->second;
     }
-    // Interpolation may round to slightly less than the least value.
+    // Interpolation may round to slightly less than the smallest value.
     const float roundingSlack = 1e-5f;
     const float least = texel * vertexAlpha[m] * factorOf(material);
     holes[m] = !(least >= cutoffOf(material) + roundingSlack);

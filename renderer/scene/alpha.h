@@ -8,12 +8,12 @@
 
 namespace halfsilver {
 
-// Whether the triangle has a hole at the barycentrics (weights of the second and third vertex): its base colour's
-// alpha, read at full resolution, is below the cutoff. The same answer to the bit as cutAway() of
-// shaders/lib/alpha.glsl; cheap enough to be asked for every candidate of a ray.
+// Whether the triangle has a hole at the barycentrics (weights of the second and third vertex): its base color's
+// alpha, read at full resolution, is below the cutoff. Agrees to the bit with cutAway() in shaders/lib/alpha.glsl;
+// cheap enough to be called for every candidate of a ray.
 bool cutAway(const Scene& scene, std::uint32_t triangle, glm::vec2 barycentrics);
 
-// One flag a material: whether cutAway() can be true on any of its triangles. Reads all texels of those materials.
+// One flag per material: whether cutAway() can be true on any of its triangles. Reads all texels of such materials.
 std::vector<bool> materialsWithHoles(const Scene& scene);
 
 }  // namespace halfsilver

@@ -14,7 +14,7 @@ namespace {
 
 static_assert(sizeof(Vertex) == 18 * sizeof(float), "vertices are compared as bytes");
 
-// Value of a channel at a time, clamped to its first and last key.
+// Value of a channel at a time, which is clamped to the first and last key.
 std::vector<double> sample(const Channel& channel, double time) {
   const bool cubic = channel.interpolation == Interpolation::cubicSpline;
   const std::size_t keys = channel.times.size();
@@ -93,7 +93,7 @@ std::vector<glm::dmat4> jointMatrices(const Rig& rig, const Instance& instance, 
   return matrices;
 }
 
-// One vertex's way from its rest to the world.
+// The transform of one vertex from its rest pose to the world.
 struct Placer {
   const Instance& instance;
   const glm::dmat4& node;
@@ -128,13 +128,13 @@ struct Placer {
   }
 };
 
-// Carries normals without a division by the determinant, so that flattening matrices work: the inverse transpose times
-// the absolute determinant.
+// Transforms normals: the inverse transpose times the absolute determinant, without dividing by it, so that matrices
+// that flatten an object work too.
 glm::dmat3 normalMatrix(const glm::dmat3& m, double sign) {
   return glm::dmat3(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1])) * sign;
 }
 
-// Unit, or the fallback where the vector is zero or not finite. Scaled first: squares of tiny matrices underflow.
+// Unit length, or the fallback if the vector is zero or not finite. Scaled first, as squares of tiny values underflow.
 glm::dvec3 unit(const glm::dvec3& v, const glm::dvec3& fallback) {
   const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
   if (!(largest > 0) || !std::isfinite(largest)) return fallback;
@@ -152,7 +152,7 @@ PoseState evaluate(const Rig& rig, double seconds, int animation) {
   for (const Node& node : nodes) state.weights.emplace_back(node.weights.begin(), node.weights.end());
   if (animation >= 0 && !rig.animations.empty()) {
     if (static_cast<std::size_t>(animation) >= rig.animations.size())
-      throw Error(ErrorKind::usage, "there is no animation " + std::to_string(animation) + ", the scene has " +
+      throw Error(ErrorKind::usage, "there is no animation " + std::to_string(animation) + "; the scene has " +
                                         std::to_string(rig.animations.size()));
     const Animation& played = rig.animations[static_cast<std::size_t>(animation)];
     const double duration = played.duration;
@@ -243,7 +243,7 @@ std::vector<VertexRange> pose(Model& model, double seconds, int animation) {
     place(model.rig, instance, state, scene.origin, moved);
     for (const Vertex& vertex : moved)
       if (!std::isfinite(vertex.position.x + vertex.position.y + vertex.position.z))
-        throw Error(ErrorKind::badInput, "an animation moves the scene out of range: node " +
+        throw Error(ErrorKind::badInput, "an animation moves the scene out of the range of floats: node " +
                                              std::to_string(instance.node) + " at " + std::to_string(seconds) + " s");
     Vertex* const old = scene.vertices.data() + instance.firstVertex;
     if (moved.empty() || std::memcmp(old, moved.data(), moved.size() * sizeof(Vertex)) == 0) continue;

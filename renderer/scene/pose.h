@@ -6,15 +6,15 @@
 
 #include <halfsilver/model.h>
 
-// What pose() is made of; a loader places the rest pose with the same functions.
+// The parts of pose(); a loader places the rest pose with the same functions.
 namespace halfsilver {
 
 struct PoseState {
-  std::vector<glm::dmat4> world;             // one a node, world units
-  std::vector<std::vector<double>> weights;  // morph weights, one list a node
+  std::vector<glm::dmat4> world;             // one per node, world units
+  std::vector<std::vector<double>> weights;  // morph weights, one list per node
 };
 
-// The rest pose where `animation` < 0 or the rig has no animation. Throws Error (usage) for an unknown animation or a
+// The rest pose if `animation` < 0 or the rig has no animation. Throws Error (usage) for an unknown animation or a
 // time that is not finite.
 PoseState evaluate(const Rig& rig, double seconds, int animation);
 
@@ -26,11 +26,11 @@ std::vector<glm::dvec3> worldPositions(const Rig& rig, const Instance& instance,
 void place(const Rig& rig, const Instance& instance, const PoseState& state, const glm::dvec3& origin,
            std::span<Vertex> vertices);
 
-// True where the instance's node mirrors it, so that its triangles wind the other way round. A skinned instance does
+// Whether the instance's node mirrors it, so that its triangles wind the other way round. A skinned instance does
 // not follow its node.
 bool mirrored(const Instance& instance, const PoseState& state);
 
-// A camera looks along its node's -z, a light shines along it; a scale of the node changes neither.
+// Cameras look and lights shine along their node's -z; the node's scale changes neither.
 void follow(Camera& camera, const glm::dmat4& world, const glm::dvec3& origin);
 void follow(Light& light, const glm::dmat4& world, const glm::dvec3& origin);
 

@@ -13,7 +13,7 @@ Bounds Scene::bounds() const {
 }
 
 Camera frameAll(const Bounds& bounds) {
-  constexpr float kNarrowestAspect = 4.0f / 3;  // what is framed at this width over height is framed at all wider ones
+  constexpr float kNarrowestAspect = 4.0f / 3;  // width over height: what fits into this fits into all wider ones
   constexpr float kMargin = 1.08f;
   Camera camera;
   camera.name = "whole scene";

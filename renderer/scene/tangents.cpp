@@ -10,7 +10,7 @@ namespace {
 
 using Corners = std::array<std::uint32_t, 3>;
 
-// What makes two vertices the same to a tangent, as bytes.
+// Vertices with equal keys (as bytes) share a tangent.
 struct Key {
   glm::vec3 position, normal;
   glm::vec2 uv;
@@ -27,7 +27,7 @@ struct KeyHash {
 
 struct Frame {
   glm::dvec3 alongU{0};
-  float sign = 0;  // of the bitangent; 0 where the texture coordinates span no area
+  float sign = 0;  // of the bitangent; 0 if the texture coordinates span no area
 };
 
 Frame faceFrame(const std::array<glm::dvec3, 3>& p, const std::array<glm::dvec2, 3>& uv) {
@@ -63,7 +63,7 @@ std::vector<std::uint32_t> makeTangents(std::vector<Vertex>& vertices, std::span
   };
   std::vector<std::uint32_t> copied;
   std::vector<float> orientation(vertices.size(), 0);
-  std::unordered_map<std::uint32_t, std::uint32_t> mirror;  // a vertex's copy of the other orientation
+  std::unordered_map<std::uint32_t, std::uint32_t> mirror;  // the copy of a vertex with the other orientation
   std::unordered_map<Key, glm::dvec3, KeyHash> sums;
   const auto keyOf = [&](const Vertex& v, float sign) {
     // Adding zero turns -0 into 0, which as bytes would differ.

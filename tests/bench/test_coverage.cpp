@@ -4,7 +4,7 @@
 #include <map>
 #include <sstream>
 
-#include "bench/coverage_report.h"
+#include "bench/modes/coverage/report.h"
 #include "contract/program.h"
 
 namespace halfsilver {
@@ -45,7 +45,7 @@ TEST(BenchCoverage, MeasuresOnceAndReports) {
       before = point["pixels"]["coverage"];
       held = point["memory"]["pool_used"];
     }
-    // All is built anew in each frame.
+    // Everything is rebuilt in each frame.
     EXPECT_GT(all["time_ms"]["build"]["median"], 0.0);
     EXPECT_GT(all["memory"]["pool_used"], 0);
   }
@@ -77,35 +77,33 @@ TEST(BenchCoverage, MeasuresOnceAndReports) {
   EXPECT_EQ(readText(folder / "DIR/coverage.json"), text);
 }
 
-nlohmann::ordered_json madeUp(const char* pattern, double fraction, double traceMs) {
-  nlohmann::ordered_json point;
-  point["scene"] = {{"file", "made up"}, {"triangles", 1}, {"mirrors", nlohmann::ordered_json::array()}};
-  point["preset"] = "halfsilver";
-  point["settings"] = {{"select.pattern", pattern}, {"select.fraction", fraction}};
-  point["pixels"]["coverage"] = fraction;
-  for (const char* stage : {"voxelize", "build", "trace", "frame"})
-    point["time_ms"][stage] = {{"median", traceMs}, {"min", traceMs}, {"max", traceMs}};
-  for (const char* name : {"structure_total", "pool_reserved", "pool_used", "voxels", "heads", "peak"})
-    point["memory"][name] = 2e6;
-  point["overflow"] = point["lost_fragments"] = 0;
+bench::CoveragePoint madeUp(SelectPattern pattern, double fraction, double traceMs) {
+  bench::CoveragePoint point;
+  point.scene.file = "made up";
+  point.preset = "halfsilver";
+  point.settings.select.pattern = pattern;
+  point.settings.select.fraction = static_cast<float>(fraction);
+  point.pixels.coverage = fraction;
+  point.times.voxelize = point.times.build = point.times.trace = point.times.frame = {traceMs, traceMs, traceMs, 1, 0};
+  point.memory.structureTotal = point.memory.poolReserved = point.memory.poolUsed = 2000000;
   return point;
 }
 
 TEST(CoverageReport, RoundsBecomeOnePoint) {
-  // A line from 1 to 5 ms, but for a round in which the machine had other work at one point.
-  bench::PointList points;
+  // A line from 1 to 5 ms, except for one round of one point in which the machine had other work.
+  std::vector<bench::CoveragePoint> points;
   for (const double late : {0.0, 100.0, 0.5})
     for (const double fraction : {1.0, 0.0, 0.03125, 0.5})
-      points.push_back(madeUp("region", fraction, 1 + 4 * fraction + (fraction == 0.5 ? late : 0)));
+      points.push_back(madeUp(SelectPattern::region, fraction, 1 + 4 * fraction + (fraction == 0.5 ? late : 0)));
   const bench::CoverageCurves curves = bench::coverageCurves(points);
   ASSERT_EQ(curves.size(), 1u);
   ASSERT_EQ(curves[0].points.size(), 4u);
-  const auto& half = curves[0].points[2]["time_ms"]["trace"];
-  EXPECT_EQ(half["median"], 3.5);
-  EXPECT_EQ(half["min"], 3.0);
-  EXPECT_EQ(half["max"], 103.0);
-  EXPECT_EQ(half["runs"], 3);
-  EXPECT_EQ(curves[0].points[3]["time_ms"]["trace"]["median"], 5.0);
+  const bench::Timing& half = curves[0].points[2].times.trace;
+  EXPECT_EQ(half.median, 3.5);
+  EXPECT_EQ(half.min, 3.0);
+  EXPECT_EQ(half.max, 103.0);
+  EXPECT_EQ(half.runs, 3u);
+  EXPECT_EQ(curves[0].points[3].times.trace.median, 5.0);
 
   const bench::Table fits = bench::fitsCsv(curves);
   ASSERT_EQ(fits.rows.size(), 5u);
@@ -121,19 +119,14 @@ TEST(CoverageReport, RoundsBecomeOnePoint) {
   EXPECT_EQ(cell(3, "small_share_over_whole"), "1.000000");
 }
 
-// The same step of the scattered pixels tells what a jump of the region comes from.
+// The same step of the scattered pixels shows what a jump of the region comes from.
 TEST(CoverageReport, JumpsAreExplained) {
   const auto pageOf = [](double inRegion, double inScattered) {
-    bench::PointList points;
+    std::vector<bench::CoveragePoint> points;
     for (int i = 0; i <= 32; ++i) {
       const double fraction = i / 32.0;
-      points.push_back(madeUp("region", fraction, 32 * fraction + (i > 11 ? inRegion : 0)));
-      points.push_back(madeUp("scattered", fraction, 32 * fraction + (i > 11 ? inScattered : 0)));
-    }
-    for (auto& point : points) {
-      point["version"] = "0";
-      point["device"] = {{"renderer", "r"}, {"version", "v"}, {"context", "c"}};
-      point["size"] = {1, 1};
+      points.push_back(madeUp(SelectPattern::region, fraction, 32 * fraction + (i > 11 ? inRegion : 0)));
+      points.push_back(madeUp(SelectPattern::scattered, fraction, 32 * fraction + (i > 11 ? inScattered : 0)));
     }
     return bench::coverageBody(bench::coverageCurves(points), {}, std::nullopt);
   };

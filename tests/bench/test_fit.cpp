@@ -4,8 +4,8 @@
 #include <cmath>
 #include <vector>
 
-#include "bench/coverage.h"
-#include "bench/fit.h"
+#include "bench/harness/fit.h"
+#include "bench/modes/coverage/coverage.h"
 
 namespace halfsilver::bench {
 namespace {

@@ -67,7 +67,7 @@ TEST(BenchMemory, MeasuresOnceAndReports) {
   EXPECT_EQ(pointOf(record, "reference")["error"]["hit_error"], 0.0);
 #endif
 
-  // The table: a row a point, all rows as long as the heading.
+  // The table: one row per point, all rows as long as the header.
   std::istringstream csv(readText(folder / "DIR/memory.csv"));
   std::string line;
   std::getline(csv, line);
@@ -79,7 +79,7 @@ TEST(BenchMemory, MeasuresOnceAndReports) {
   for (; std::getline(csv, line); ++rows) EXPECT_EQ(std::count(line.begin(), line.end(), ','), columns) << line;
   EXPECT_EQ(rows, record["points"].size());
 
-  // The page needs nothing from elsewhere and tells nothing about the machine's folders.
+  // The page fetches nothing and does not reveal the machine's folders.
   const std::string page = readText(folder / "DIR/index.html");
   EXPECT_NE(page.find("182.37"), std::string::npos);
   EXPECT_NE(page.find("data:image/png;base64,"), std::string::npos);

@@ -3,11 +3,29 @@
 #include <algorithm>
 
 #include <halfsilver/error.h>
-#include "bench/tasks.h"
-#include "bench/workbench.h"
+#include "bench/harness/point.h"
+#include "bench/harness/tasks.h"
+#include "bench/harness/workbench.h"
 #include "contract/program.h"
 
 namespace halfsilver::bench {
+
+struct SizedKey {
+  std::string series;
+  int size = 0;
+};
+template <>
+inline constexpr auto kFields<SizedKey> =
+    std::tuple{field("series", &SizedKey::series), field("size", &SizedKey::size)};
+
+struct Duration {
+  double seconds = 0;
+};
+template <>
+inline constexpr auto kFields<Duration> = std::tuple{field("seconds", &Duration::seconds)};
+
+using SizedPoint = Point<SizedKey, Duration>;
+
 namespace {
 
 Request requestOf(std::vector<std::string> scenes, std::vector<std::string> mirrors,
@@ -64,15 +82,15 @@ TEST(BenchTasks, ASeriesEndsAndOthersGoOn) {
   const TemporaryFolder folder;
   std::vector<std::string> measured;
   const auto task = [&](const std::string& series, int size) {
-    return Task{.key = {{"series", series}, {"size", size}},
-                .label = series,
-                .measure =
-                    [&measured, series, size](nlohmann::ordered_json& point) {
-                      measured.push_back(series + std::to_string(size));
-                      point["seconds"] = series == "slow" ? 10 * size : 1;
-                    },
-                .series = series,
-                .ends = [](const nlohmann::ordered_json& point) { return point["seconds"] > 15; }};
+    return anyTask(Task<SizedPoint>{.key = {series, size},
+                                    .label = series,
+                                    .measure =
+                                        [&measured, series, size] {
+                                          measured.push_back(series + std::to_string(size));
+                                          return Duration{series == "slow" ? 10.0 * size : 1};
+                                        },
+                                    .series = series,
+                                    .ends = [](const SizedPoint& point) { return point.seconds > 15; }});
   };
   const auto run = [&] {
     std::vector<Batch> batches;
@@ -85,7 +103,7 @@ TEST(BenchTasks, ASeriesEndsAndOthersGoOn) {
   EXPECT_EQ(run().at(0).size(), 5u);
   EXPECT_EQ(measured, (std::vector<std::string>{"slow1", "fast1", "slow2", "fast2", "fast3"}));
   EXPECT_EQ(run().at(0).size(), 5u);
-  EXPECT_EQ(measured.size(), 5u);  // all were kept, and a kept one ends its series, too
+  EXPECT_EQ(measured.size(), 5u);  // all were kept, and a kept point ends its series, too
 }
 
 // Every part is on the one page; what is kept is not measured again.

@@ -4,9 +4,9 @@
 #include <map>
 #include <sstream>
 
-#include "bench/chart.h"
-#include "bench/pareto.h"
-#include "bench/pareto_report.h"
+#include "bench/modes/pareto/pareto.h"
+#include "bench/modes/pareto/report.h"
+#include "bench/report/charts/gnuplot.h"
 #include "contract/program.h"
 
 namespace halfsilver {
@@ -15,7 +15,6 @@ namespace {
 using bench::Accuracy;
 using bench::ParetoPoint;
 using bench::ParetoScene;
-using Json = nlohmann::ordered_json;
 
 struct MadeUp {
   std::string name;
@@ -25,31 +24,19 @@ struct MadeUp {
   std::string beside = "";
 };
 
-bench::PointList points(const std::vector<MadeUp>& variants, const std::string& scene = "made up") {
-  bench::PointList list;
+std::vector<ParetoPoint> points(const std::vector<MadeUp>& variants, const std::string& scene = "made up") {
+  std::vector<ParetoPoint> list;
   for (std::size_t round = 0; round < 5; ++round)
     for (const MadeUp& variant : variants) {
       if (round >= variant.frames.size()) continue;
-      Json point;
-      point["scene"] = {{"file", scene}, {"triangles", 1}, {"mirrors", Json::array()}};
-      point["version"] = "0";
-      point["device"] = {{"renderer", "r"}, {"version", "v"}, {"context", "c"}};
-      point["size"] = {1, 1};
-      point["preset"] = point["family"] = variant.name;
-      point["knob"] = "";
-      point["beside"] = variant.beside;
-      point["pixels"]["coverage"] = 0.5;
-      point["memory"] = {{"structure_total", 2e6}, {"peak", 3e6}};
-      point["overflow"] = point["lost_fragments"] = 0;
-      point["time_ms"]["frame"]["median"] = variant.frames[round];
-      if (round == 0)
-        point["error"] = {{"rays", 10},
-                          {"rays_of_reference", variant.rays},
-                          {"hit_error", variant.hitError},
-                          {"false_miss", 0},
-                          {"false_hit", 0},
-                          {"rmse", 0.25},
-                          {"yee_fail_fraction", variant.perceptible}};
+      ParetoPoint point;
+      point.scene.file = scene;
+      point.preset = point.family = variant.name;
+      point.beside = variant.beside;
+      point.pixels.coverage = 0.5;
+      point.memory.structureTotal = 2000000;
+      point.times.frame.median = variant.frames[round];
+      if (round == 0) point.errors = {{0.25, variant.perceptible}, {10, variant.rays, variant.hitError, 0.0, 0.0}};
       list.push_back(point);
     }
   return list;
@@ -59,23 +46,23 @@ ParetoScene sceneOf(const std::vector<MadeUp>& variants) { return bench::paretoS
 
 std::vector<std::string> names(const ParetoScene& scene, const std::vector<std::size_t>& indices) {
   std::vector<std::string> result;
-  for (const std::size_t i : indices) result.push_back(scene.points[i].name);
+  for (const std::size_t i : indices) result.push_back(scene.variants[i].name);
   return result;
 }
 
 TEST(Pareto, RoundsBecomeOnePointAndRatiosArePaired) {
   // The machine became slower by half in the third round, for both alike.
   const ParetoScene scene = sceneOf({{"halfsilver", {100, 102, 150}}, {"other", {200, 255, 300}}, {"two", {10, 20}}});
-  ASSERT_EQ(scene.points.size(), 3u);
-  EXPECT_EQ(scene.points[1].frames, (std::vector<double>{200, 255, 300}));
-  const bench::Spread time = bench::frameTime(scene.points[1]);
+  ASSERT_EQ(scene.variants.size(), 3u);
+  EXPECT_EQ(scene.variants[1].frames, (std::vector<double>{200, 255, 300}));
+  const bench::Spread time = bench::frameTime(scene.variants[1]);
   EXPECT_EQ(time.median, 255);
-  EXPECT_EQ(time.least, 200);
-  EXPECT_EQ(time.most, 300);
-  const bench::Spread ratio = bench::pairedRatio(scene.points[1], scene.points[0]);
+  EXPECT_EQ(time.min, 200);
+  EXPECT_EQ(time.max, 300);
+  const bench::Spread ratio = bench::pairedRatio(scene.variants[1], scene.variants[0]);
   EXPECT_EQ(ratio.median, 2);
-  EXPECT_EQ(ratio.most, 2.5);
-  EXPECT_EQ(bench::pairedRatio(scene.points[2], scene.points[0]).least, 0.1);
+  EXPECT_EQ(ratio.max, 2.5);
+  EXPECT_EQ(bench::pairedRatio(scene.variants[2], scene.variants[0]).min, 0.1);
 }
 
 TEST(Pareto, TheFrontIsKnown) {
@@ -85,7 +72,7 @@ TEST(Pareto, TheFrontIsKnown) {
                                      {"thinned", {5, 5}, 0, 0.25, 0.5},
                                      {"kept", {1, 1}, 0, 0, 1, "builds nothing"},
                                      {"as right, slower", {30, 30}, 0, 0.1}});
-  // What traces less cannot win by hits, what does not compete cannot win at all.
+  // A variant that traces less cannot win by hits, one that does not compete cannot win at all.
   EXPECT_EQ(names(scene, bench::frontOf(scene, Accuracy::hits)),
             (std::vector<std::string>{"fast and wrong", "halfsilver"}));
   EXPECT_EQ(names(scene, bench::frontOf(scene, Accuracy::picture)),
@@ -116,7 +103,7 @@ TEST(Pareto, VerdictsSayWhereTheDefaultStands) {
   // Faster by the medians, but not in every round.
   const MadeUp alike{"other", {11, 19, 29}, 0.01, 0.02};
   EXPECT_NE(verdict(alike, Accuracy::hits).find("within the noise"), std::string::npos);
-  // In every round, but by little.
+  // In every round, but only slightly.
   const MadeUp close{"other", {9.7, 19.4, 29.1}, 0.01, 0.02};
   EXPECT_NE(verdict(close, Accuracy::hits).find("within the noise"), std::string::npos);
   const ParetoScene alone = sceneOf({{"other", {1, 1}}});
@@ -130,7 +117,7 @@ TEST(Pareto, MarksGrowByTenfoldMemory) {
   EXPECT_EQ(bench::markRadius(0), one);
 }
 
-TEST(Pareto, DearFramesAreDrawnLessOften) {
+TEST(Pareto, SlowFramesAreDrawnLessOften) {
   EXPECT_EQ(bench::roundsFor(0, false), 5);
   EXPECT_EQ(bench::roundsFor(bench::kParetoSeconds * 1000 / 5, false), 5);
   EXPECT_EQ(bench::roundsFor(bench::kParetoSeconds * 1000 / 3.5, false), 3);
@@ -205,10 +192,10 @@ TEST(BenchChart, LabelsDoNotOverlap) {
                   std::abs(places[a].second - places[b].second) > 0.02);
 }
 
-TEST(Pareto, ThePageTellsEverySceneApart) {
+TEST(Pareto, ThePageNamesEveryScene) {
   const std::vector<MadeUp> variants = {{"halfsilver", {10, 10}}, {"b<c", {20, 20}, 0.1, 0.1}};
-  bench::PointList list = points(variants, "one");
-  for (const Json& point : points(variants, "two")) list.push_back(point);
+  std::vector<ParetoPoint> list = points(variants, "one");
+  for (const ParetoPoint& point : points(variants, "two")) list.push_back(point);
   const std::vector<ParetoScene> scenes = bench::paretoScenes(list);
   ASSERT_EQ(scenes.size(), 2u);
   EXPECT_EQ(bench::paretoChart(scenes).panels.size(), 4u);
@@ -253,7 +240,7 @@ TEST(BenchPareto, MeasuresOnceAndReports) {
   EXPECT_EQ(error(thinned, "hit_error"), 0.0);
   EXPECT_NEAR(error(thinned, "rays_of_reference").get<double>(), 0.25, 0.03);
   EXPECT_GT(error(thinned, "rmse"), 0.005);
-  // What is built anew, and what is kept.
+  // What is rebuilt, and what is kept.
   EXPECT_GT(variants.at("halfsilver")[0]["time_ms"]["build"]["median"], 0.0);
   EXPECT_EQ(variants.at("halfsilver, kept")[0]["time_ms"]["build"]["median"], 0.0);
 

@@ -1,17 +1,38 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <optional>
+#include <tuple>
 
 #include <halfsilver/error.h>
-#include "bench/chart.h"
-#include "bench/estimate.h"
-#include "bench/memory.h"
-#include "bench/page.h"
-#include "bench/points.h"
-#include "bench/table.h"
+#include "bench/harness/estimate.h"
+#include "bench/harness/output_folder.h"
+#include "bench/harness/points.h"
+#include "bench/modes/memory/memory.h"
+#include "bench/modes/memory/point.h"
+#include "bench/report/charts/chart.h"
+#include "bench/report/charts/gnuplot.h"
+#include "bench/report/page.h"
+#include "bench/report/table.h"
 #include "temporary_folder.h"
 
 namespace halfsilver::bench {
+
+struct Inner {
+  std::uint64_t count = 0;
+};
+template <>
+inline constexpr auto kFields<Inner> = std::tuple{field("count", &Inner::count)};
+
+struct Outer {
+  std::string name;
+  std::optional<double> error, time;
+  std::optional<Inner> inner;
+};
+template <>
+inline constexpr auto kFields<Outer> = std::tuple{field("name", &Outer::name), field("error", &Outer::error),
+                                                  field("time_ms", &Outer::time, Empty::omitted), group(&Outer::inner)};
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -21,7 +42,7 @@ TEST(BenchTable, CsvQuotesWhatNeedsIt) {
   EXPECT_EQ(toCsv(table), "scene,bytes\n\"a,b\",1\n\"say \"\"x\"\"\",\n\"two\nlines\",2\n");
 }
 
-TEST(BenchTable, HtmlIsEscapedAndNumbersStandAtTheRight) {
+TEST(BenchTable, HtmlIsEscapedAndNumbersAreRightAligned) {
   const std::string html = toHtml({{"a&b"}, {{"<script>"}, {"12.5"}}});
   EXPECT_NE(html.find("<th>a&amp;b</th>"), html.npos);
   EXPECT_NE(html.find("<td>&lt;script&gt;</td>"), html.npos);
@@ -120,7 +141,33 @@ TEST(BenchPoints, AreKeptAndFoundByTheirKey) {
   }
 }
 
-TEST(OutputFolder, GoesWhereNothingWasPutIntoIt) {
+TEST(BenchFields, AStructIsReadAsItWasWritten) {
+  const Outer full{"a", 0.5, 1.25, Inner{7}}, empty{"b", {}, {}, {}};
+  EXPECT_EQ(nlohmann::ordered_json(full).dump(), R"({"name":"a","error":0.5,"time_ms":1.25,"count":7})");
+  EXPECT_EQ(nlohmann::ordered_json(empty).dump(), R"({"name":"b","error":null})");
+  const auto readFull = fromJson<Outer>(full), readEmpty = fromJson<Outer>(empty);
+  EXPECT_EQ(readFull.error, 0.5);
+  EXPECT_EQ(readFull.time, 1.25);
+  ASSERT_TRUE(readFull.inner);
+  EXPECT_EQ(readFull.inner->count, 7u);
+  EXPECT_EQ(readEmpty.name, "b");
+  EXPECT_FALSE(readEmpty.error || readEmpty.time || readEmpty.inner);
+  EXPECT_THROW(fromJson<Outer>({{"error", 1}}), Error);
+  EXPECT_THROW(fromJson<Outer>({{"name", 3}}), Error);
+  EXPECT_EQ(keyOf(&Outer::time), "time_ms");
+}
+
+TEST(BenchFields, SettingsSurviveTheFile) {
+  MemoryPoint point;
+  set(point.settings, "voxels.resolution", "64");
+  set(point.settings, "select.fraction", "0.1");
+  set(point.settings, "select.mode", "all");
+  const auto read = fromJson<MemoryPoint>(nlohmann::ordered_json::parse(nlohmann::ordered_json(point).dump()));
+  EXPECT_EQ(read.settings, point.settings);
+  EXPECT_NE(read.settings, Settings());
+}
+
+TEST(OutputFolder, IsRemovedIfNothingWasPutIntoIt) {
   const TemporaryFolder folder;
   { const OutputFolder output(folder / "a/b/"); }
   EXPECT_FALSE(fs::exists(folder / "a"));

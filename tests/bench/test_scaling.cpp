@@ -6,15 +6,14 @@
 #include <map>
 #include <set>
 
-#include "bench/fit.h"
-#include "bench/scaling_report.h"
-#include "bench/scaling_scenes.h"
+#include "bench/harness/fit.h"
+#include "bench/modes/scaling/report.h"
+#include "bench/modes/scaling/scenes.h"
+#include "bench/report/charts/gnuplot.h"
 #include "contract/program.h"
 
 namespace halfsilver::bench {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 TEST(PowerLaw, IsFoundExactly) {
   std::vector<XY> points;
@@ -28,7 +27,7 @@ TEST(PowerLaw, IsFoundExactly) {
   EXPECT_NEAR(law->at(1e8), 2e4, 1e-3);
 }
 
-// What every frame takes rules the small ones: the law is that of the large ones.
+// The fixed cost of a frame dominates small points: the law is that of the large ones.
 TEST(PowerLaw, BeginsBehindABreak) {
   std::vector<XY> points;
   for (int i = 0; i <= 12; ++i) {
@@ -98,7 +97,7 @@ TEST(ScalingScenes, OnlyTheTrianglesGrow) {
   };
   EXPECT_GT(areaOfPillars(few), 0.01);
   EXPECT_NEAR(areaOfPillars(many) / areaOfPillars(few), 1, 0.01);
-  // What stands around the camera's target is the same.
+  // What is around the camera's target is the same.
   const auto near = [](const Scene& scene) {
     std::set<std::array<float, 3>> positions;
     for (const Vertex& vertex : scene.vertices)
@@ -135,24 +134,22 @@ TEST(ScalingScenes, HaveTheirLights) {
   for (const std::size_t lights : {1, 2, 64}) EXPECT_EQ(crowdedScene(1000, lights).scene.lights.size(), lights);
 }
 
-// A point as the measurement leaves it; times grow with the square of the value.
-Json point(const std::string& axis, const std::string& preset, double value) {
-  Json result;
-  result["scene"] = {{"file", "made up"}, {"lights", 1}};
-  result["axis"] = axis;
-  result["preset"] = preset;
-  result["value"] = value;
-  result["size"] = {16, 9};
-  result["settings"]["trace.bounces"] = 1;
-  result["seconds"] = 1;
-  result["triangles"] = value;
-  result["pixels"]["selected"] = 7;
-  for (const char* stage : {"gbuffer", "select", "voxelize", "build", "trace", "shade", "frame"})
-    result["time_ms"][stage]["median"] = 1e-6 * value * value;
-  for (const char* name : {"structure_total", "pool_reserved", "fragments", "fragments_stored", "gbuffer", "peak"})
-    result["memory"][name] = 3 * value;
-  result["lost_fragments"] = result["overflow"] = 0;
-  result["warnings"] = Json::array();
+// A point as it is measured; times grow with the square of the value.
+ScalingPoint point(const std::string& axis, const std::string& preset, double value) {
+  ScalingPoint result;
+  result.scene = {"made up", 0, 1};
+  result.axis = axis;
+  result.preset = preset;
+  result.value = value;
+  result.size = {16, 9};
+  result.seconds = 1;
+  result.triangles = static_cast<std::size_t>(value);
+  TimedFrame& frame = result.frame.emplace();
+  frame.pixels.selected = 7;
+  for (const auto stage :
+       {&Times::gbuffer, &Times::select, &Times::voxelize, &Times::build, &Times::trace, &Times::shade, &Times::frame})
+    (frame.times.*stage).median = 1e-6 * value * value;
+  frame.memory.structureTotal = static_cast<std::uint64_t>(3 * value);
   return result;
 }
 
@@ -162,15 +159,15 @@ std::string cell(const Table& table, std::size_t row, const std::string& column)
 }
 
 TEST(ScalingReport, AFailedPointEndsItsSeriesAndIsTold) {
-  PointList points;
+  std::vector<ScalingPoint> points;
   for (const double value : {1000.0, 3000.0, 10000.0}) points.push_back(point("finer", "a", value));
-  Json failed = point("finer", "a", 30000);
-  for (const char* name : {"time_ms", "memory", "pixels", "seconds", "lost_fragments", "overflow", "warnings"})
-    failed.erase(name);
-  failed["failed"] = "out of <memory>";
+  ScalingPoint failed = point("finer", "a", 30000);
+  failed.seconds.reset();
+  failed.frame.reset();
+  failed.failed = "out of <memory>";
   points.push_back(failed);
   for (const double value : {1000.0, 3000.0, 10000.0}) points.push_back(point("finer", "b", value));
-  points.back()["seconds"] = 31;
+  points.back().seconds = 31;
   EXPECT_FALSE(stops(points[0], 20));
   EXPECT_TRUE(stops(failed, 20));
   EXPECT_TRUE(stops(points.back(), 20));
@@ -202,28 +199,28 @@ TEST(ScalingReport, AFailedPointEndsItsSeriesAndIsTold) {
 }
 
 TEST(ScalingReport, FaultsAreToldAndDoNotCount) {
-  const Json good = point("lights", "a", 8);
+  const ScalingPoint good = point("lights", "a", 8);
   EXPECT_FALSE(fault(good));
-  Json lost = good, overflow = good, warned = good;
-  lost["lost_fragments"] = 12;
-  overflow["overflow"] = 3;
-  warned["warnings"] = {"one", "two"};
+  ScalingPoint lost = good, overflow = good, warned = good;
+  lost.frame->lostFragments = 12;
+  overflow.frame->overflow = 3;
+  warned.frame->warnings = {"one", "two"};
   EXPECT_NE(fault(lost)->find("12 fragments"), std::string::npos);
   EXPECT_EQ(fault(overflow), "3 rays overflowed");
   EXPECT_EQ(fault(warned), "one; two");
-  for (const Json& bad : {lost, overflow, warned}) EXPECT_TRUE(stops(bad, 20));
+  for (const ScalingPoint& bad : {lost, overflow, warned}) EXPECT_TRUE(stops(bad, 20));
 
-  PointList points;
+  std::vector<ScalingPoint> points;
   for (const double value : {1.0, 2.0, 4.0}) points.push_back(point("lights", "a", value));
   points.push_back(lost);
-  points.back()["time_ms"]["trace"]["median"] = 1e6;
+  points.back().frame->times.trace.median = 1e6;
   const Table laws = exponentsCsv(scalingSeries(points));
   EXPECT_EQ(cell(laws, 1, "exponent"), "2.0000");
   EXPECT_EQ(cell(laws, 1, "to"), "4.000");
 }
 
 TEST(ScalingReport, ChartsAreLogarithmic) {
-  PointList points;
+  std::vector<ScalingPoint> points;
   for (const double value : {1000.0, 10000.0, 100000.0, 1e6}) points.push_back(point("more", "a", value));
   const PanelGrid grid = scalingChart(scalingSeries(points));
   ASSERT_EQ(grid.panels.size(), 3u);
@@ -264,7 +261,7 @@ TEST(BenchScaling, MeasuresOnceAndReports) {
       EXPECT_GT(measured["pixels"]["selected"], 50);
     }
   }
-  // Along an axis grows what the axis says, and nothing else.
+  // Along an axis only its own quantity grows.
   const auto selected = [&](const char* axis, double value) {
     return axes[axis].at(value)["pixels"]["selected"].get<double>();
   };

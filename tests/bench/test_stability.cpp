@@ -1,19 +1,21 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <functional>
+#include <vector>
 
 #include <halfsilver/builtin.h>
-#include "bench/flicker.h"
-#include "bench/stability_report.h"
+#include "bench/harness/flicker.h"
+#include "bench/modes/stability/report.h"
 #include "contract/program.h"
 
 namespace halfsilver::bench {
 namespace {
 
-// A row of traced pixels of a grey, all hit.
-Image row(int pixels, float grey) {
+// A row of traced gray pixels, all hit.
+Image row(int pixels, float gray) {
   Image image{pixels, 1, {"R", "G", "B", "selected.Y", "hit.T"}, {}};
-  for (int i = 0; i < pixels; ++i) image.data.insert(image.data.end(), {grey, grey, grey, 1, 2});
+  for (int i = 0; i < pixels; ++i) image.data.insert(image.data.end(), {gray, gray, gray, 1, 2});
   return image;
 }
 
@@ -21,7 +23,7 @@ float& at(Image& image, std::size_t pixel, std::size_t channel) { return image.d
 
 TEST(Flicker, WhatTheReferenceDoesIsNoFlicker) {
   FlickerMeter meter;
-  for (const float grey : {0.2f, 0.7f, 0.1f}) meter.add(row(100, grey), row(100, grey));
+  for (const float gray : {0.2f, 0.7f, 0.1f}) meter.add(row(100, gray), row(100, gray));
   const Flicker flicker = meter.result();
   EXPECT_EQ(flicker.pixels, 100u);
   EXPECT_EQ(flicker.steps, 2u);
@@ -81,34 +83,33 @@ TEST(Flicker, PixelsThatAreNotTracedDoNotCount) {
 }
 
 TEST(Stability, WhoSurvives) {
-  const nlohmann::ordered_json good = {{"worst_hit_error", 0.0005}, {"overflow", 0.0},
-                                       {"lost_fragments", 0},       {"flicker_99", 0.0},
-                                       {"flicker_hits", 0.0},       {"repeats_to_the_bit", true}};
+  StabilityResult good;
+  good.worstHitError = 0.0005;
+  good.repeatsExactly = true;
   EXPECT_TRUE(survives(good));
-  for (const auto& [name, bad] :
-       std::initializer_list<std::pair<const char*, nlohmann::ordered_json>>{{"worst_hit_error", 0.00051},
-                                                                             {"overflow", 1e-6},
-                                                                             {"lost_fragments", 1},
-                                                                             {"flicker_99", 0.001},
-                                                                             {"flicker_hits", 0.0002},
-                                                                             {"repeats_to_the_bit", false}}) {
-    nlohmann::ordered_json point = good;
-    point[name] = bad;
-    EXPECT_FALSE(survives(point)) << name;
+  const std::vector<std::function<void(StabilityResult&)>> faults = {
+      [](StabilityResult& r) { r.worstHitError = 0.00051; }, [](StabilityResult& r) { r.overflow = 1e-6; },
+      [](StabilityResult& r) { r.lostFragments = 1; },       [](StabilityResult& r) { r.flicker99 = 0.001; },
+      [](StabilityResult& r) { r.flickerHits = 0.0002; },    [](StabilityResult& r) { r.repeatsExactly = false; }};
+  for (const auto& fault : faults) {
+    StabilityResult bad = good;
+    fault(bad);
+    EXPECT_FALSE(survives(bad)) << nlohmann::ordered_json(bad);
   }
 }
 
-// The default preset gets through every failure scene, still and in motion.
+// The default preset passes every failure scene, still and in motion.
 TEST(BenchStability, TheDefaultSurvivesAll) {
   const TemporaryFolder folder;
   const ProgramResult result = runProgramIn(folder, "stability -o DIR --quick --size 96x64 --method halfsilver");
   ASSERT_EQ(result.exitCode, 0) << result.err;
   const nlohmann::json record = readJson(folder / "DIR/stability.json");
   ASSERT_EQ(record["points"].size(), failureScenes().size());
-  for (const nlohmann::ordered_json point : record["points"]) {
-    EXPECT_TRUE(survives(point)) << point.dump();
-    EXPECT_GT(point["rays"].get<int>(), 2000) << point["scene"];
-    EXPECT_EQ(point["steps"], 3);
+  for (const auto& json : record["points"]) {
+    const auto point = fromJson<StabilityPoint>(json);
+    EXPECT_TRUE(survives(point)) << json;
+    EXPECT_GT(point.rays, 2000u) << point.scene.file;
+    EXPECT_EQ(point.steps, 3u);
   }
   const std::vector<std::string> files = filesIn(folder);
   for (const char* name : {"DIR/index.html", "DIR/stability.csv", "DIR/builtin-rods-reference.png"})
@@ -120,9 +121,9 @@ TEST(BenchStability, WhatFailsIsSaid) {
   const ProgramResult result =
       runProgramIn(folder, "stability builtin:growing -o DIR --quick --size 96x64 --method kastrati2017");
   ASSERT_EQ(result.exitCode, 0) << result.err;
-  const nlohmann::ordered_json point = readJson(folder / "DIR/stability.json")["points"][0];
+  const auto point = fromJson<StabilityPoint>(readJson(folder / "DIR/stability.json")["points"][0]);
   EXPECT_FALSE(survives(point));
-  EXPECT_GT(point["lost_fragments"].get<std::uint64_t>(), 0u);
+  EXPECT_GT(point.lostFragments, 0u);
   EXPECT_NE(readText(folder / "DIR/index.html").find("overflow"), std::string::npos);
   EXPECT_EQ(runProgramIn(folder, "stability -o DIR --method nonesuch").exitCode, 2);
 }

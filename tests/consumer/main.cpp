@@ -1,4 +1,4 @@
-// Draws one triangle with the installed library and checks that it is there. Exits with 77 where there is no context.
+// Draws one triangle with the installed library and checks that it is there. Exits with 77 if there is no context.
 #include <GL/glcorearb.h>
 #include <halfsilver/context.h>
 #include <halfsilver/error.h>

@@ -73,7 +73,7 @@ TEST(CompareCommand, LayersOfTwoMethods) {
   const auto same = compareJson(folder, "a.exr a.exr");
   for (const char* key : {"hit_error", "false_miss", "false_hit", "wrong_id", "selected_mismatch"})
     EXPECT_EQ(same[key], 0.0) << key;
-  // Half of the pixels are left out: they are what differs, and every hit among them is missed.
+  // Half of the pixels are not traced: these are the only differences, and every hit among them is missed.
   const auto half = compareJson(folder, "b.exr a.exr");
   EXPECT_NEAR(half["selected_mismatch"].get<double>(), 0.5, 0.1);
   EXPECT_GT(half["false_miss"], 0.1);
@@ -94,7 +94,7 @@ TEST(InfoCommand, SaysWhatTheSceneHolds) {
   EXPECT_EQ(json["materials"][0]["name"], "paint");
   EXPECT_EQ(json["materials"][0]["double_sided"], true);
   EXPECT_EQ(json["materials"][0]["alpha_mode"], "opaque");
-  // glTF's default is a metal: its reflectance is the luminance of its colour.
+  // glTF's default is a metal: its reflectance is the luminance of its color.
   EXPECT_NEAR(json["materials"][0]["reflectivity"].get<double>(), 0.2126 * 0.8 + 0.7152 * 0.2 + 0.0722 * 0.1, 1e-6);
   EXPECT_EQ(json["bounds"]["low"], nlohmann::json::array({-90.0, -100.0, 0.0}));
   EXPECT_EQ(json["bounds"]["high"], nlohmann::json::array({110.0, 100.0, 0.0}));

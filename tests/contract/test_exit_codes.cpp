@@ -8,7 +8,7 @@
 namespace halfsilver {
 namespace {
 
-// The exit code, one line on stderr that holds `mention`, nothing on stdout, no new file.
+// Expects the exit code, one line on stderr that contains `mention`, nothing on stdout, and no new file.
 void expectRefused(const TemporaryFolder& folder, const std::string& arguments, int exitCode,
                    const std::string& mention = "", const std::string& environment = "") {
   SCOPED_TRACE(arguments);
@@ -76,7 +76,7 @@ TEST(ExitCodes, WrongTuningIs2) {
   expectRefused(folder, tune + "--set trace.method=exact", 2, "trace.method");
 }
 
-TEST(ExitCodes, NamesThatTheSceneLacksAre2AndListTheKnown) {
+TEST(ExitCodes, UnknownNamesInTheSceneAre2AndListTheKnown) {
   const TemporaryFolder folder;
   writeWall(folder);
   expectRefused(folder, "render wall.gltf -o a.png --camera far", 2, "near");

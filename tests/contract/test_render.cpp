@@ -12,15 +12,15 @@ namespace {
 
 void expectDone(const ProgramResult& result) { ASSERT_EQ(result.exitCode, 0) << result.err; }
 
-std::size_t distinctColours(const Image& image) {
-  std::set<std::vector<float>> colours;
+std::size_t distinctColors(const Image& image) {
+  std::set<std::vector<float>> colors;
   const auto stride = static_cast<std::ptrdiff_t>(image.channels.size());
   for (auto pixel = image.data.begin(); pixel != image.data.end(); pixel += stride)
-    colours.insert(std::vector<float>(pixel, pixel + 3));
-  return colours.size();
+    colors.insert(std::vector<float>(pixel, pixel + 3));
+  return colors.size();
 }
 
-// What holds for every method; returns the share of selected pixels.
+// Expects what holds for every method; returns the fraction of selected pixels.
 double checkLayers(const Image& layers, bool tracesAll, bool tracesNone) {
   for (const char* name :
        {"R", "G", "B", "A", "depth.Z", "normal.X", "normal.Y", "normal.Z", "reflectivity.Y", "selected.Y", "hit.T",
@@ -86,7 +86,7 @@ TEST_P(EveryPreset, PictureLayersAndStatisticsAgree) {
   const ImageFile picture = readImage(folder / "a.png");
   EXPECT_EQ(picture.image.width, 64);
   EXPECT_EQ(picture.image.height, 36);
-  EXPECT_GT(distinctColours(picture.image), 200u);
+  EXPECT_GT(distinctColors(picture.image), 200u);
   const ImageFile layers = readImage(folder / "l.exr");
   const double coverage = checkLayers(layers.image, preset.tracesAll, preset.tracesNone);
   const auto json = readJson(folder / "s.json");
@@ -135,7 +135,7 @@ TEST(Render, StatisticsHaveTheContractsSchema) {
     EXPECT_LE(time["min"], time["median"]) << stage;
     EXPECT_LE(time["median"], time["max"]) << stage;
     EXPECT_GE(time["runs"].get<int>(), 1) << stage;
-    EXPECT_GT(time["median"], 0) << stage;  // that of the first frame, where later ones keep what it made
+    EXPECT_GT(time["median"], 0) << stage;  // of the first frame if later ones keep what it made
   }
   const auto& frame = json["time_ms"]["frame"];
   EXPECT_EQ(frame["runs"].get<int>() + frame["rejected"].get<int>(), 3);
@@ -152,7 +152,7 @@ TEST(Render, TwoRunsAreIdentical) {
   EXPECT_TRUE(readText(folder / "a.exr") == readText(folder / "b.exr"));
 }
 
-TEST(Render, LinearPictureIsTheLayersColour) {
+TEST(Render, LinearPictureIsTheLayersColor) {
   const TemporaryFolder folder;
   expectDone(runProgramIn(folder, kQuickSphere + "--preset deferred -o a.exr --layers l.exr"));
   const Image picture = readImage(folder / "a.exr").image, layers = readImage(folder / "l.exr").image;
@@ -238,7 +238,7 @@ TEST(Render, WarningsGoToStderrAndTheStatistics) {
   EXPECT_TRUE(found);
 }
 
-TEST(Render, MemoryBudgetIsHeldAndTold) {
+TEST(Render, MemoryBudgetIsMetAndReported) {
   const TemporaryFolder folder;
   const std::string render = kQuickSphere + "--set voxels.resolution=256 ";
   expectDone(runProgramIn(folder, render + "-o a.png --stats a.json"));
@@ -264,7 +264,7 @@ TEST(Render, MemoryBudgetIsHeldAndTold) {
   EXPECT_NE(readText(folder / "a.png"), readText(folder / "b.png"));
 }
 
-TEST(Render, TimeBudgetDropsAllWhereItCannotBeHeldAndNothingWhereItIsLarge) {
+TEST(Render, TimeBudgetDropsEverythingIfItCannotBeMetAndNothingIfItIsLarge) {
   const TemporaryFolder folder;
   const ProgramResult small = runProgramIn(folder, kQuickSphere + "-o a.png --stats a.json --budget-ms 0.001");
   expectDone(small);

@@ -17,7 +17,7 @@ TEST(Tune, WritesAFileThatRenderTakesWithTheFrontInIt) {
   ASSERT_EQ(result.exitCode, 0) << result.err;
   EXPECT_EQ(result.err, "") << "progress or warnings in a pipe";
   EXPECT_EQ(filesIn(folder), (std::vector<std::string>{"c.toml"}));
-  // All that was tried is in the table, with the fragments' errors; one is chosen, and it has none.
+  // Everything tried is in the table, with the errors of the attribute method; the chosen one has none.
   const std::string row = "kastrati2017 voxels.resolution=64 abuffer.resolution=256 search.steps=3";
   for (const std::string& text : {row, std::string("halfsilver voxels.per_triangle=2"), std::string("  <- chosen\n")})
     EXPECT_NE(result.out.find(text), std::string::npos) << text << " in\n" << result.out;
@@ -31,19 +31,19 @@ TEST(Tune, WritesAFileThatRenderTakesWithTheFrontInIt) {
   const auto settings = readJson(folder / "s.json")["settings"];
   EXPECT_EQ(settings["trace.method"], "identity");
   EXPECT_EQ(settings["voxels.resolution"], 64);
-  EXPECT_EQ(settings["abuffer.keep"], true) << "only the measurement builds anew";
+  EXPECT_EQ(settings["abuffer.keep"], true) << "only the measurement builds from scratch";
   std::string chosen = config.substr(0, config.find("  <- chosen"));
   chosen = chosen.substr(chosen.rfind('=') + 1);
   EXPECT_EQ(settings["voxels.per_triangle"], std::stod(chosen));
 }
 
-TEST(Tune, WhereNothingIsRightEnoughNothingIsWritten) {
+TEST(Tune, IfNothingIsAccurateEnoughNothingIsWritten) {
   const TemporaryFolder folder;
   const ProgramResult result =
       runProgramIn(folder, kQuickTune + "-o c.toml --max-error 0 --set trace.method=attributes");
   EXPECT_EQ(result.exitCode, 1);
   EXPECT_TRUE(
-      result.err.starts_with("halfsilver: no settings reach --max-error 0: the least hit_error measured is 0.0"))
+      result.err.starts_with("halfsilver: no settings reach --max-error 0: the lowest hit_error measured is 0.0"))
       << result.err;
   EXPECT_NE(result.err.find("kastrati2017 voxels.resolution=64"), std::string::npos) << result.err;
   EXPECT_EQ(result.out, "");

@@ -60,6 +60,11 @@ Frame RenderTest::drawWith(Renderer& renderer, const Camera& camera, const Setti
 
 Frame RenderTest::draw(const Scene& scene, const Camera& camera, const Settings& settings, int width, int height) {
   Renderer renderer = makeRenderer(scene);
+  return drawWholeWith(renderer, camera, settings, width, height);
+}
+
+Frame RenderTest::drawWholeWith(Renderer& renderer, const Camera& camera, const Settings& settings, int width,
+                                int height) {
   Frame frame;
   for (int i = 0; i < 4; ++i) {
     frame = drawWith(renderer, camera, settings, width, height);

@@ -41,6 +41,8 @@ class RenderTest : public ContextTest {
   // For sequences of frames: a renderer that holds the scene (which outlives it), and its next frame.
   Renderer makeRenderer(const Scene& scene);
   Frame drawWith(Renderer& renderer, const Camera& camera, const Settings& settings, int width, int height);
+  // The next one without lost fragments, as draw().
+  Frame drawWholeWith(Renderer& renderer, const Camera& camera, const Settings& settings, int width, int height);
 };
 
 // Settings as "name=value" pairs over the defaults.

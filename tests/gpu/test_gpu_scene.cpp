@@ -145,6 +145,38 @@ TEST_F(GpuSceneTest, UpdateMovesOnlyTheRange) {
   EXPECT_THROW(updateScene(api, gpu, scene, {.moved = {beyond}}), Error);
 }
 
+TEST_F(GpuSceneTest, UpdatedScenesEqualFreshOnes) {
+  Scene scene;
+  scene.textures = {plainTexture(4, 4, {255, 255, 255, 90}, true)};
+  scene.materials.resize(2);
+  scene.materials[1].alphaMode = AlphaMode::mask;
+  scene.materials[1].alphaCutoff = 0.1f;
+  scene.materials[1].baseColorTexture.texture = 0;
+  for (std::uint32_t i = 0; i < 40; ++i) addQuad(scene, {-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}, i % 2);
+  GpuScene gpu = uploadScene(api, scene);
+  const std::size_t rangesBefore = gpu.drawRanges.size();
+  scene.vertices[81].position = {900, 0, 0};
+  scene.materials[0].doubleSided = true;
+  scene.materials[1].alphaCutoff = 0.6f;  // holes where there were none
+  updateScene(api, gpu, scene, {.materials = true, .moved = {{81, 1}}});
+  const GpuScene fresh = uploadScene(api, scene);
+  EXPECT_EQ(gpu.bounds.high, fresh.bounds.high);
+  EXPECT_EQ(gpu.core.bounds.high, fresh.core.bounds.high);
+  EXPECT_EQ(gpu.core.outer, fresh.core.outer);
+  EXPECT_EQ(gpu.core.outer, std::vector<std::uint32_t>{40});
+  EXPECT_EQ(gpu.drawList.read<std::uint32_t>(80), fresh.drawList.read<std::uint32_t>(80));
+  ASSERT_EQ(gpu.drawRanges.size(), fresh.drawRanges.size());
+  EXPECT_GT(gpu.drawRanges.size(), rangesBefore);
+  for (std::size_t i = 0; i < gpu.drawRanges.size(); ++i) {
+    EXPECT_EQ(gpu.drawRanges[i].count, fresh.drawRanges[i].count);
+    EXPECT_EQ(gpu.drawRanges[i].cut, fresh.drawRanges[i].cut);
+    EXPECT_EQ(gpu.drawRanges[i].doubleSided, fresh.drawRanges[i].doubleSided);
+  }
+  const std::size_t words = fresh.materials.bytes() / sizeof(std::uint32_t);
+  EXPECT_EQ(gpu.materials.read<std::uint32_t>(words), fresh.materials.read<std::uint32_t>(words));
+  EXPECT_EQ(gpu.positions.read<float>(480), fresh.positions.read<float>(480));
+}
+
 TEST_F(GpuSceneTest, IndicesThatPointNowhereAreRefused) {
   Scene scene;
   scene.materials.resize(1);

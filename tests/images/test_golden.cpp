@@ -1,4 +1,4 @@
-// The built-in scenes against pictures that a person has looked at. Three tolerances: how far one pixel may be off, how
+// The built-in scenes against pictures that a person has approved. Three tolerances: how far one pixel may be off, how
 // many may be off by more than a little, and the root mean square; drivers differ in the last bits of filtering.
 #include <gtest/gtest.h>
 
@@ -20,8 +20,8 @@ struct Golden {
 class GoldenTest : public ::testing::TestWithParam<Golden> {};
 
 constexpr double kLittle = 8.0 / 255.0;
-constexpr double kMostFailing = 0.002;  // share of values that may be off by more than that
-constexpr double kWorst = 0.6;          // an edge that falls on the other side of a pixel's centre
+constexpr double kMaxFailing = 0.002;  // fraction of values that may be off by more than that
+constexpr double kWorst = 0.6;         // an edge that falls on the other side of a pixel's center
 constexpr double kRmse = 0.006;
 
 TEST_P(GoldenTest, LooksAsItDid) {
@@ -35,7 +35,7 @@ TEST_P(GoldenTest, LooksAsItDid) {
       readImage(std::filesystem::path(HALFSILVER_SOURCE_DIR) / "tests/images/golden" / (scene + ".png"));
   ASSERT_EQ(picture.image.data.size(), golden.image.data.size());
 
-  // Not trivial: many colours, dark and bright.
+  // Not trivial: many colors, dark and bright.
   std::set<int> levels;
   for (const float value : picture.image.data) levels.insert(static_cast<int>(std::lround(value * 255)));
   EXPECT_GT(levels.size(), 150u);
@@ -43,7 +43,7 @@ TEST_P(GoldenTest, LooksAsItDid) {
   std::size_t failing = 0;
   for (std::size_t i = 0; i < picture.image.data.size(); ++i)
     if (std::abs(picture.image.data[i] - golden.image.data[i]) > static_cast<float>(kLittle)) ++failing;
-  EXPECT_LE(static_cast<double>(failing), kMostFailing * static_cast<double>(picture.image.data.size()));
+  EXPECT_LE(static_cast<double>(failing), kMaxFailing * static_cast<double>(picture.image.data.size()));
   const Comparison comparison = compareImages(picture, golden);
   EXPECT_LE(comparison.maxError, kWorst);
   EXPECT_LE(comparison.rmse, kRmse);

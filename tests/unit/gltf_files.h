@@ -16,7 +16,7 @@ namespace halfsilver::testing {
 
 using nlohmann::json;
 
-// A folder that goes away with the test.
+// A folder that is removed after the test.
 class TemporaryFolder {
  public:
   TemporaryFolder() {

@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 
-// Under the address sanitizer, leaks are looked for as soon as the tests are through, and not while threads run: the
-// worker threads that come with OpenImageIO's dependencies start and end by themselves, and a thread met half way
-// breaks the search (it is then not a leak that fails the test, but the leak sanitizer). The tests that read or write
-// images of a kind that needs OpenImageIO are therefore checked for everything but leaks, and say so.
+// Under the address sanitizer, leaks are checked right after the tests, but not while other threads run: the worker
+// threads of OpenImageIO's dependencies start and end on their own, and a thread caught halfway breaks the check itself
+// (the leak sanitizer then fails, without a leak). Tests of images that need OpenImageIO are therefore checked for
+// everything but leaks, and say so.
 #ifdef __SANITIZE_ADDRESS__
 #include <sanitizer/lsan_interface.h>
 #include <filesystem>
@@ -21,7 +21,7 @@ bool othersRun() {
 class LeakCheck : public testing::Environment {
  public:
   void TearDown() override {
-    if (othersRun()) std::cout << "leaks are not looked for: a library's threads are running\n";
+    if (othersRun()) std::cout << "leaks are not checked: a library's threads are running\n";
     __lsan_do_leak_check();
   }
 };
@@ -31,6 +31,6 @@ const testing::Environment* const kLeakCheck = testing::AddGlobalTestEnvironment
 }  // namespace
 }  // namespace halfsilver
 
-// The leak sanitizer asks this before it looks, and after a refusal it does not look again.
+// The leak sanitizer asks this before it checks; once refused, it does not check again.
 extern "C" int __lsan_is_turned_off() { return halfsilver::othersRun(); }
 #endif

@@ -27,10 +27,10 @@ Scene leaf() {
   return scene;
 }
 
-TEST(Alpha, TexelCentresGiveTheTexel) {
+TEST(Alpha, TexelCentersGiveTheTexel) {
   Scene scene = leaf();
   EXPECT_FALSE(cutAway(scene, 0, {0.25f, 0.25f}));  // 255
-  EXPECT_FALSE(cutAway(scene, 0, {0.75f, 0.25f}));  // 128, just above a half
+  EXPECT_FALSE(cutAway(scene, 0, {0.75f, 0.25f}));  // 128, just above 0.5
   EXPECT_TRUE(cutAway(scene, 0, {0.25f, 0.75f}));   // 0
   scene.materials[0].alphaCutoff = 0.51f;
   EXPECT_TRUE(cutAway(scene, 0, {0.75f, 0.25f}));
@@ -38,7 +38,7 @@ TEST(Alpha, TexelCentresGiveTheTexel) {
 
 TEST(Alpha, IsInterpolatedBetweenTexels) {
   Scene scene = leaf();
-  // From 255 at v = 0.25 to 0 at v = 0.75 the half lies at v = 0.5.
+  // From 255 at v = 0.25 to 0 at v = 0.75: one half is at v = 0.5.
   EXPECT_FALSE(cutAway(scene, 0, {0.25f, 0.49f}));
   EXPECT_TRUE(cutAway(scene, 0, {0.25f, 0.51f}));
   scene.materials[0].baseColorTexture.magnify = Filter::nearest;
@@ -82,7 +82,7 @@ TEST(Alpha, NonFiniteCoordinatesReadATexel) {
   }
 }
 
-TEST(Alpha, FactorAndVertexColour) {
+TEST(Alpha, FactorAndVertexColor) {
   Scene scene = leaf();
   scene.materials[0].baseColor.a = 0.4f;
   EXPECT_TRUE(cutAway(scene, 0, {0.25f, 0.25f}));

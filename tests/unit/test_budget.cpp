@@ -10,8 +10,8 @@
 namespace halfsilver {
 namespace {
 
-// A renderer in numbers: pixels whose contributions are spread evenly over the octaves from 2^-8 to 1; time and memory
-// follow the rays.
+// A model of a renderer: the contributions of its pixels are spread evenly over the octaves from 2^-8 to 1; time and
+// memory depend on the number of rays.
 struct Machine {
   double pixels = 100000;
   double fixedTime = 4, timePerRay = 2e-4;      // 24 ms with all rays
@@ -81,7 +81,7 @@ TEST(ContributionThreshold, KeepsAsManyAsAskedFor) {
   EXPECT_EQ(contributionThreshold({}, 5), 0);
 }
 
-TEST(Budget, NothingGoesWhereAllFits) {
+TEST(Budget, NothingIsDroppedIfAllFits) {
   Machine machine;
   Budget budget({.milliseconds = 25, .bytes = 5e6});
   const History result = run(machine, budget, 10);
@@ -92,14 +92,14 @@ TEST(Budget, NothingGoesWhereAllFits) {
   EXPECT_TRUE(budget.atRest());
 }
 
-TEST(Budget, TimeIsHeldFromTheSecondFrameOn) {
+TEST(Budget, TheTimeLimitHoldsFromTheSecondFrameOn) {
   Machine machine;
   Budget budget({.milliseconds = 12});
   const History result = run(machine, budget, 30);
   EXPECT_GT(frameTime(result.frames[0]), 12);
   for (std::size_t i = 1; i < result.frames.size(); ++i) EXPECT_LE(frameTime(result.frames[i]), 12) << i;
   EXPECT_TRUE(budget.atRest());
-  // Not much less than it could: 40,000 rays take 12 ms.
+  // Not far below what is possible: 40,000 rays take 12 ms.
   EXPECT_GT(result.frames.back().selected, 28000u);
   EXPECT_LE(changes(result.thresholds), 3);
 }
@@ -113,18 +113,18 @@ FrameReport twoKinds() {
   return report;
 }
 
-TEST(Budget, LeastContributionsGoFirst) {
+TEST(Budget, TheLeastVisibleIsDroppedFirst) {
   Budget budget({.milliseconds = 12});
   budget.learn(twoKinds());  // room for 30,000: all of the first kind and a few of the second
   EXPECT_GT(budget.minContribution(), std::exp2(-5 + 8.5f / 16));
   EXPECT_LT(budget.minContribution(), std::exp2(-5 + 9.0f / 16));
   Budget smaller({.milliseconds = 5.5});
-  smaller.learn(twoKinds());  // room for some thousand of the first
+  smaller.learn(twoKinds());  // room for a few thousand of the first
   EXPECT_GT(smaller.minContribution(), std::exp2(-1 + 8.0f / 16));
   EXPECT_LT(smaller.minContribution(), std::exp2(-1 + 9.0f / 16));
 }
 
-TEST(Budget, WhatAddsNothingGoesAsAWholeAndStaysAway) {
+TEST(Budget, WhatContributesNothingIsDroppedAsAWholeAndStaysAway) {
   Budget budget({.milliseconds = 12});
   FrameReport report = twoKinds();
   report.contributions[0] = 100000;  // twice as many pixels, half of them not reflecting
@@ -146,9 +146,9 @@ TEST(Budget, WhatAddsNothingGoesAsAWholeAndStaysAway) {
   EXPECT_TRUE(enough.atRest());
 }
 
-TEST(Budget, DroppedPixelsAreThoseOfTheLimits) {
+TEST(Budget, PixelsBelowTheUsersThresholdDoNotCountAsDropped) {
   Machine machine;
-  Budget budget({.milliseconds = 12, .leastContribution = 0.01f});
+  Budget budget({.milliseconds = 12, .minContribution = 0.01f});
   run(machine, budget, 30);
   const FrameReport last = machine.draw(budget.minContribution(), false);
   double most = 0;
@@ -156,7 +156,7 @@ TEST(Budget, DroppedPixelsAreThoseOfTheLimits) {
   EXPECT_NEAR(static_cast<double>(budget.dropped()), most - static_cast<double>(last.selected), 1000);
   EXPECT_GT(budget.dropped(), 20000u);
   Machine fast;
-  Budget large({.milliseconds = 100, .leastContribution = 0.01f});
+  Budget large({.milliseconds = 100, .minContribution = 0.01f});
   run(fast, large, 5);
   EXPECT_EQ(large.dropped(), 0u);
 }
@@ -172,7 +172,7 @@ TEST(Budget, RejectedTimesTeachNothing) {
   EXPECT_EQ(budget.minContribution(), before);
 }
 
-TEST(Budget, SlowFramesBetweenCalmOnesKeepPixelsAway) {
+TEST(Budget, SlowFramesBetweenRoomyOnesKeepPixelsAway) {
   Machine machine;
   Budget budget({.milliseconds = 12});
   run(machine, budget, 30);
@@ -184,7 +184,7 @@ TEST(Budget, SlowFramesBetweenCalmOnesKeepPixelsAway) {
   }
 }
 
-TEST(Budget, MemoryThatRaysDoNotTakeIsNotTheirs) {
+TEST(Budget, MemoryThatRaysDoNotUseDropsNoRays) {
   Machine machine;
   machine.fixedBytes = 9e8;
   Budget budget({.bytes = 1e8});
@@ -201,9 +201,9 @@ TEST(Budget, NoiseDoesNotMakeItSwing) {
   run(machine, budget, 40);
   const History result = run(machine, budget, 1000);
   EXPECT_LE(changes(result.thresholds), 2);
-  int beyond = 0;
-  for (const FrameReport& frame : result.frames) beyond += frameTime(frame) > 12;
-  EXPECT_LE(beyond, 2);
+  int over = 0;
+  for (const FrameReport& frame : result.frames) over += frameTime(frame) > 12;
+  EXPECT_LE(over, 2);
 }
 
 TEST(Budget, WildNoiseIsMetWithPatience) {
@@ -223,7 +223,7 @@ TEST(Budget, PixelsComeBackWithTheTime) {
   EXPECT_EQ(budget.minContribution(), 0);
 }
 
-TEST(Budget, WhatCannotBeHeldDropsAllAndSaysSo) {
+TEST(Budget, AnImpossibleLimitDropsEverythingAndIsReported) {
   Machine machine;
   Budget budget({.milliseconds = 3});
   const History result = run(machine, budget, 10);
@@ -235,7 +235,7 @@ TEST(Budget, WhatCannotBeHeldDropsAllAndSaysSo) {
   EXPECT_TRUE(budget.held());
 }
 
-TEST(Budget, WhatIsBuiltOnceIsForgiven) {
+TEST(Budget, TheTimeOfAStructureThatIsKeptIsForgiven) {
   Machine machine;
   machine.buildTime = 50;
   Budget budget({.milliseconds = 25});
@@ -243,7 +243,7 @@ TEST(Budget, WhatIsBuiltOnceIsForgiven) {
   EXPECT_TRUE(budget.held());
 }
 
-TEST(Budget, WhatIsBuiltInEveryFrameIsNot) {
+TEST(Budget, TheTimeOfAStructureBuiltInEveryFrameIsNot) {
   Machine machine;
   Budget budget({.milliseconds = 25});
   std::vector<double> times;
@@ -260,7 +260,7 @@ TEST(Budget, WhatIsBuiltInEveryFrameIsNot) {
   EXPECT_GT(budget.minContribution(), 0);
 }
 
-TEST(Budget, MemoryIsHeldAndUsed) {
+TEST(Budget, TheMemoryLimitHoldsAndIsUsed) {
   Machine machine;
   Budget budget({.bytes = 3e6});  // 40,000 rays
   const History result = run(machine, budget, 60);
@@ -273,7 +273,7 @@ TEST(Budget, MemoryIsHeldAndUsed) {
   EXPECT_EQ(later.forgotten, 0);
 }
 
-TEST(Budget, WhatOtherViewsHaveBuiltGoesBeforePixels) {
+TEST(Budget, WhatOtherViewsHaveBuiltIsForgottenBeforePixelsAreDropped) {
   Machine machine;
   Budget budget({.bytes = 4.5e6});
   run(machine, budget, 10);
@@ -284,7 +284,7 @@ TEST(Budget, WhatOtherViewsHaveBuiltGoesBeforePixels) {
   EXPECT_TRUE(budget.held());
 }
 
-TEST(Budget, AnotherViewIsMeasuredAnew) {
+TEST(Budget, AnotherViewIsMeasuredAfresh) {
   Machine machine;
   Budget budget({.bytes = 3e6});
   run(machine, budget, 60);
@@ -297,7 +297,7 @@ TEST(Budget, AnotherViewIsMeasuredAnew) {
 TEST(Budget, TheUsersOwnThresholdStays) {
   for (const float least : {0.25f, 0.3f, 0.05f}) {
     Machine machine;
-    Budget budget({.milliseconds = 100, .leastContribution = least});
+    Budget budget({.milliseconds = 100, .minContribution = least});
     const History result = run(machine, budget, 20);
     EXPECT_EQ(budget.minContribution(), least);
     EXPECT_NEAR(static_cast<double>(result.frames.back().selected), -12500 * std::log2(least), 2);

@@ -21,7 +21,7 @@ namespace {
 using glm::dvec3;
 using glm::vec3;
 
-// Twice the area long; along the front side's normal.
+// Along the normal of the front side, with twice the area as length.
 dvec3 areaVector(const Scene& scene, const Triangle& t) {
   const dvec3 a(scene.vertices[t.vertices[0]].position), b(scene.vertices[t.vertices[1]].position),
       c(scene.vertices[t.vertices[2]].position);
@@ -82,7 +82,7 @@ class Builtin : public testing::TestWithParam<std::string> {
 std::string caseName(const testing::TestParamInfo<std::string>& info) { return info.param; }
 INSTANTIATE_TEST_SUITE_P(Scenes, Builtin, testing::ValuesIn(builtinNames()), caseName);
 
-TEST_P(Builtin, HoldsWhatARendererNeeds) {
+TEST_P(Builtin, HasWhatARendererNeeds) {
   EXPECT_EQ(scene.name, "builtin:" + GetParam());
   EXPECT_GT(scene.triangles.size(), 10000u);
   EXPECT_TRUE(model.warnings.empty());
@@ -106,7 +106,7 @@ TEST_P(Builtin, HoldsWhatARendererNeeds) {
     for (const TextureUse& use : {material.baseColorTexture, material.normalTexture})
       EXPECT_LT(use.texture, static_cast<int>(scene.textures.size()));
   }
-  // Every material is seen somewhere.
+  // Every material is used somewhere.
   EXPECT_EQ(trianglesByMaterial(scene).size(), scene.materials.size());
 }
 
@@ -190,7 +190,7 @@ TEST_P(Builtin, TexturesAreCompleteAndNormalMapsUnit) {
       ASSERT_NEAR(glm::length(n), 1, 0.02) << map.name;
       mean += n;
     }
-    // A tileable height has no slope on the whole.
+    // A tileable height field has no slope on average.
     mean /= static_cast<float>(map.texels.size() / 4);
     EXPECT_NEAR(mean.x, 0, 0.01) << map.name;
     EXPECT_NEAR(mean.y, 0, 0.01) << map.name;
@@ -213,7 +213,7 @@ TEST(BuiltinHash, IsTheSameOnEveryMachine) {
   EXPECT_NEAR(sum / 10000, 0.5, 0.01);
 }
 
-TEST(BuiltinNames, AnUnknownOneNamesTheKnown) {
+TEST(BuiltinNames, AnUnknownNameListsTheKnown) {
   try {
     makeBuiltin("cathedral");
     FAIL() << "no error";
@@ -245,7 +245,7 @@ TEST(BuiltinSphere, IsAnExactMirrorSphere) {
       ASSERT_LT(glm::distance(from, dvec3(scene.vertices[index].normal)), 1e-6);
     }
   }
-  EXPECT_EQ(count, 2u * 160u * 79u);  // the poles' rows have half the triangles
+  EXPECT_EQ(count, 2u * 160u * 79u);  // the rows at the poles have half the triangles
   // Some things are behind the camera, some in front of it.
   const Camera& camera = scene.cameras.front();
   EXPECT_GT(scene.bounds().high.z, camera.eye.z + 0.5f);
@@ -307,7 +307,7 @@ TEST(BuiltinTeapot, NormalsAreThoseOfTheSurface) {
   const Vertex* side = vertexAt(scene, {0, 0.9f, 2});
   ASSERT_TRUE(side);
   EXPECT_NEAR(side->normal.z, 1, 1e-6);
-  // All face the way the triangles do, closely where these are not slivers.
+  // All point to the triangles' front, and close to their normal unless they are slivers.
   for (const Triangle& t : scene.triangles) {
     const dvec3 area = areaVector(scene, t);
     for (const std::uint32_t index : t.vertices)
@@ -326,7 +326,7 @@ TEST(BuiltinTeapot, IsSymmetric) {
   for (const Vertex& v : scene.vertices) all.insert(key(v, 1));
   std::size_t missing = 0;
   for (const Vertex& v : scene.vertices) missing += all.count(key(v, -1)) == 0;
-  // Rounding can put a value on either side of a step.
+  // Rounding may put a value on either side of a step.
   EXPECT_LT(missing, scene.vertices.size() / 100);
 }
 
@@ -383,7 +383,7 @@ TEST(BuiltinAtrium, CamerasStandInsideAndTheFirstSeesTheFloor) {
       EXPECT_GT(camera.eye[i], scene.bounds().low[i]) << camera.name;
       EXPECT_LT(camera.eye[i], scene.bounds().high[i]) << camera.name;
     }
-    // Nothing stands right before the lens.
+    // Nothing is right in front of the lens.
     const auto ahead = firstCrossing(scene, camera.eye, glm::normalize(dvec3(camera.target - camera.eye)));
     ASSERT_TRUE(ahead) << camera.name;
     EXPECT_GT(ahead->distance, 3) << camera.name;
@@ -427,7 +427,7 @@ TEST(BuiltinAtrium, SunReachesTheFloor) {
   EXPECT_GT(dark, 5);
 }
 
-TEST(MeshBuilderPieces, CornersOfABoxFaceOutwards) {
+TEST(MeshBuilderPieces, CornersOfABoxFaceOutward) {
   MeshBuilder build;
   build.use(0).box({-1, -2, -3}, {1, 2, 3});
   build.roundedBox({10, 0, 0}, {2, 4, 6}, 0.5, 3, 0.7);
@@ -441,7 +441,7 @@ TEST(MeshBuilderPieces, CornersOfABoxFaceOutwards) {
     (i < 12 ? boxVolume : volume) += glm::dot(dvec3(scene.vertices[t.vertices[0]].position), areaVector(scene, t)) / 6;
   }
   EXPECT_NEAR(boxVolume, 48, 1e-4);
-  // Rounding takes from the twelve edges and eight corners: quarter cylinders and a sphere remain.
+  // Rounding cuts the twelve edges and eight corners: quarter cylinders and a sphere remain.
   const double r = 0.5;
   const double exact =
       48 - (4 - kPi) * r * r * ((2 - 2 * r) + (4 - 2 * r) + (6 - 2 * r)) - (8 * r * r * r - 4.0 / 3 * kPi * r * r * r);
@@ -491,7 +491,7 @@ TEST(MeshBuilderPieces, TubesAreClosed) {
     }
     EXPECT_LT(glm::length(total), 1e-6);
     EXPECT_GT(volume, 0);
-    // A regular polygon of twelve corners, two metres long.
+    // A regular polygon of twelve corners, two meters long.
     if (points.size() == 2) {
       EXPECT_NEAR(volume, 6 * 0.01 * std::sin(kPi / 6) * 2, 1e-5);
     }

@@ -20,7 +20,7 @@ ImageFile gradient(int width, int height) {
   return file;
 }
 
-// A layers file of one row with the given pixels.
+// A layer file of one row with the given pixels.
 struct Pixel {
   float selected, t, id;
 };
@@ -69,8 +69,8 @@ TEST(Compare, PerceptualFindsALargeDifference) {
   EXPECT_NEAR(c.perceptual->fraction, static_cast<double>(c.perceptual->failures) / (64 * 64), 1e-12);
 }
 
-TEST(Compare, LayersAgainstCountsByHand) {
-  // One pixel a case; the first two are selected in neither file and count nowhere.
+TEST(Compare, LayersAgainstCountsMadeByHand) {
+  // One pixel per case; the first two are selected in neither file and do not count.
   const ImageFile image = layers({{0, -2, -1},
                                   {0, -2, -1},
                                   {1, 5.0f, 7},   // same
@@ -78,7 +78,7 @@ TEST(Compare, LayersAgainstCountsByHand) {
                                   {1, 5.2f, 7},   // too far
                                   {1, 5.0f, 8},   // wrong id
                                   {1, -1, -1},    // false miss
-                                  {1, -3, -1},    // given up: a false miss, too
+                                  {1, -3, -1},    // given up: also a false miss
                                   {1, 4.0f, 3},   // false hit
                                   {0, -2, -1},    // selected in the reference only, where it hit
                                   {1, -1, -1}});  // selected in the image only; no hit in either
@@ -132,14 +132,14 @@ TEST(Compare, RejectsWhatCannotBeCompared) {
     return 0;
   };
   EXPECT_EQ(kindOf(a, b), 3);
-  ImageFile linear = a, broken = a, colourless = a;
+  ImageFile linear = a, broken = a, colorless = a;
   linear.linear = true;
   broken.image.data[5] = std::numeric_limits<float>::quiet_NaN();
-  colourless.image.channels = {"X", "Z", "U", "V"};
+  colorless.image.channels = {"X", "Z", "U", "V"};
   EXPECT_EQ(kindOf(linear, a), 3);
   EXPECT_EQ(kindOf(broken, a), 3);
   EXPECT_EQ(kindOf(a, broken), 3);
-  EXPECT_EQ(kindOf(colourless, a), 3);
+  EXPECT_EQ(kindOf(colorless, a), 3);
   EXPECT_THROW(compareLayers(a.image, a.image, 1), Error) << "no layers";
   EXPECT_THROW(compareLayers(layers({{1, 1, 1}}).image, layers({{1, 1, 1}, {1, 1, 1}}).image, 1), Error);
 }

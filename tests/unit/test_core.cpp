@@ -27,7 +27,7 @@ Scene row(int triangles) {
 TEST(SceneCore, AGroundToTheHorizonIsOuter) {
   Scene scene = row(100);
   addTriangle(scene, {-500, 0, -500}, 1000);
-  addTriangle(scene, {2, 0, 0.01f}, 1);  // large, too, but inside
+  addTriangle(scene, {2, 0, 0.01f}, 1);  // also large, but inside
   const SceneCore core = findCore(scene);
   EXPECT_EQ(core.outer, std::vector<std::uint32_t>({100, 101}));
   EXPECT_FLOAT_EQ(core.bounds.low.x, 0);

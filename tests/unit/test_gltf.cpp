@@ -44,7 +44,7 @@ TEST(Gltf, OneTriangleInEveryContainer) {
     const Model model = loadGltf(path);
     ASSERT_EQ(model.scene.triangles.size(), 1u) << path;
     EXPECT_TRUE(near(corner(model, 0, 1), {1, 0, 0}));
-    EXPECT_TRUE(near(vertex(model, 0, 2).normal, {0, 0, 1})) << "a missing normal is made";
+    EXPECT_TRUE(near(vertex(model, 0, 2).normal, {0, 0, 1})) << "a missing normal is computed";
     EXPECT_EQ(model.scene.materials.size(), 1u) << "the default material";
     EXPECT_EQ(model.scene.materials[0].metallic, 1.0f);
     EXPECT_TRUE(model.rig.instances.empty()) << "nothing moves";
@@ -154,7 +154,7 @@ void checkColor(T full, T half, float expectedHalf, const char* type) {
   EXPECT_NEAR(color.a, name == "VEC4" ? expectedHalf : 1, 1e-6) << type;
 }
 
-TEST(Gltf, VertexColoursOfEveryType) {
+TEST(Gltf, VertexColorsOfEveryType) {
   for (const char* type : {"VEC3", "VEC4"}) {
     checkColor<float>(1, 0.5f, 0.5f, type);
     checkColor<std::uint8_t>(255, 51, 0.2f, type);
@@ -199,7 +199,7 @@ TEST(Gltf, TransformsMultiplyFromTheRoot) {
   file.add("nodes", {{"rotation", {0, 0, half, half}}, {"children", {0}}});  // a quarter turn about z
   file.add("nodes", {{"matrix", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 10, 20, 30, 1}}, {"children", {1}}});
   const Model model = load(file);
-  // (1,0,0) -> scaled and moved (3,0,0) -> turned (0,3,0) -> moved.
+  // (1,0,0) -> scaled and moved (3,0,0) -> rotated (0,3,0) -> moved.
   EXPECT_TRUE(near(corner(model, 0, 1), {10, 23, 30}));
   EXPECT_TRUE(near(corner(model, 0, 0), {10, 21, 30}));
   EXPECT_TRUE(near(vertex(model, 0, 0).normal, {0, 0, 1}));
@@ -207,7 +207,7 @@ TEST(Gltf, TransformsMultiplyFromTheRoot) {
 
 TEST(Gltf, NormalsFollowTheInverseTranspose) {
   GltfFile file;
-  // A slope in x and y; squeezing y turns its normal towards y.
+  // A slope in x and y; squeezing y turns its normal toward y.
   file.primitive({{"POSITION", file.accessor(std::vector<float>{1, 0, 0, 0, 1, 0, 1, 0, 1}, "VEC3")},
                   {"NORMAL", file.accessor(std::vector<float>{1, 1, 0, 1, 1, 0, 1, 1, 0}, "VEC3")}});
   file.root["nodes"][0]["scale"] = {1, 0.5, 1};
@@ -289,7 +289,7 @@ TEST(Gltf, DegenerateAndNonFiniteTrianglesAreDroppedAndCounted) {
   file.primitive(
       {{"POSITION",
         file.accessor(std::vector<float>{0, 0, 0,   1, 0, 0,        0, 1, 0,  // kept
-                                         0, 0, 0,   0, 0, 0,        0, 1, 0,  // two corners in one
+                                         0, 0, 0,   0, 0, 0,        0, 1, 0,  // two equal corners
                                          0, 0, nan, 1, 0, 0,        0, 1, 0,  // not a number
                                          0, 0, 0,   1, 1, 1,        3, 3, 3,  // on a line
                                          0, 0, 0,   0, 0, INFINITY, 0, 1, 0, 0, 0, 2, 1, 0, 2, 0, 1, 2},  // kept
@@ -298,7 +298,7 @@ TEST(Gltf, DegenerateAndNonFiniteTrianglesAreDroppedAndCounted) {
   EXPECT_EQ(model.scene.triangles.size(), 2u);
   EXPECT_EQ(model.dropped.degenerate, 2u);
   EXPECT_EQ(model.dropped.nonFinite, 2u);
-  EXPECT_TRUE(near(corner(model, 1, 0), {0, 0, 2})) << "numbers go on without a gap";
+  EXPECT_TRUE(near(corner(model, 1, 0), {0, 0, 2})) << "numbers continue without a gap";
   for (const Vertex& v : model.scene.vertices) EXPECT_TRUE(std::isfinite(v.position.z));
 }
 
@@ -330,7 +330,7 @@ TEST(Gltf, CamerasStandWhereTheirNodesStand) {
   EXPECT_NEAR(camera.verticalFov, 0.7f, 1e-6);
   EXPECT_NEAR(camera.nearPlane, 0.1f, 1e-6);
   EXPECT_TRUE(near(camera.eye, {4, 5, 6}));
-  EXPECT_TRUE(near(glm::normalize(camera.target - camera.eye), {-1, 0, 0})) << "-z turned a quarter about y";
+  EXPECT_TRUE(near(glm::normalize(camera.target - camera.eye), {-1, 0, 0})) << "-z rotated by 90 degrees about y";
   EXPECT_TRUE(warns(model, "orthographic"));
 }
 

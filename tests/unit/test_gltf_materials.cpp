@@ -10,7 +10,7 @@
 namespace halfsilver::testing {
 namespace {
 
-// A square facing +z whose texture stands upright: v = 0 at the top edge.
+// A square facing +z with its texture upright: v = 0 at the top edge.
 GltfFile square() {
   GltfFile file;
   json& primitive =
@@ -109,7 +109,7 @@ TEST(GltfMaterial, DefaultsOfASampler) {
   EXPECT_TRUE(use.mipmaps);
 }
 
-TEST(GltfMaterial, ColourAndDataNeedTwoTextures) {
+TEST(GltfMaterial, ColorAndDataNeedTwoTextures) {
   const json info = {{"index", 0}};
   const Model model =
       load(textured({{"pbrMetallicRoughness", {{"baseColorTexture", info}, {"metallicRoughnessTexture", info}}},
@@ -194,7 +194,7 @@ TEST(GltfMaterial, TangentsAreMadeForNormalMaps) {
 
 TEST(GltfMaterial, MirroredTextureCoordinatesSplitVertices) {
   GltfFile file = textured({{"normalTexture", {{"index", 0}}}});
-  // Two triangles share an edge; u runs forth on one and back on the other.
+  // Two triangles share an edge; u runs in opposite directions on them.
   const int positions = file.accessor(std::vector<float>{0, 0, 0, 1, 0, 0, 1, 1, 0, 2, 0, 0}, "VEC3");
   const int uv = file.accessor(std::vector<float>{0, 1, 1, 1, 1, 0, 0, 1}, "VEC2");
   json& primitive = file.root["meshes"][0]["primitives"][0];

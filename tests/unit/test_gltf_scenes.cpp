@@ -5,14 +5,14 @@
 #include <halfsilver/io.h>
 #include "shared_scenes.h"
 
-// The shared scenes, against what their README says of them.
+// The shared scenes against what their README says about them.
 namespace halfsilver::testing {
 namespace {
 
 struct Expected {
   const char* name;
-  std::size_t triangles;   // as stored, or as placed where a mesh is placed twice
-  std::size_t degenerate;  // two corners in one place, or all three on a line
+  std::size_t triangles;   // as stored, or as placed if a mesh is placed twice
+  std::size_t degenerate;  // two equal corners, or all three on a line
 };
 
 void PrintTo(const Expected& scene, std::ostream* stream) { *stream << scene.name; }

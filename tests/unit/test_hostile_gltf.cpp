@@ -6,8 +6,8 @@
 #include <halfsilver/io.h>
 #include "gltf_files.h"
 
-// Files that are wrong in every way that could be thought of. A load either succeeds, with a model whose every index
-// is good, or throws Error (badInput) with one line; run under the address and undefined-behaviour sanitizers.
+// Files that are wrong in every conceivable way. A load either succeeds, with a model in which every index is valid, or
+// throws Error (badInput) with one line; run under the address and undefined-behavior sanitizers.
 namespace halfsilver::testing {
 namespace {
 
@@ -83,7 +83,7 @@ void expectConsistent(const Model& model) {
   ASSERT_EQ(model.rig.cameraNodes.size(), scene.cameras.size());
 }
 
-// An animation of sound numbers may still leave the range of floats.
+// An animation of valid numbers may still leave the range of floats.
 void play(Model& model) {
   for (int animation = 0; animation < static_cast<int>(model.rig.animations.size()); ++animation) {
     try {
@@ -94,7 +94,7 @@ void play(Model& model) {
   }
 }
 
-// The message, or nothing where the file loads.
+// The message, or nothing if the file loads.
 std::string load(const TemporaryFolder& folder, const std::string& bytes) {
   const auto path = folder.write("scene.gltf", bytes);
   try {
@@ -131,7 +131,7 @@ TEST(HostileGltf, EveryKnownHarmGivesItsLine) {
     std::memcpy(file.buffer.data() + 4 * index, &value, 4);
   };
   const std::vector<Harm> harms = {
-      {"accessor", [&](GltfFile& f) { position(f) = 999; }, "names accessors[999]"},
+      {"accessor", [&](GltfFile& f) { position(f) = 999; }, "refers to accessors[999]"},
       {"negative accessor", [&](GltfFile& f) { position(f) = -5; }, "out of range"},
       {"text for a number", [&](GltfFile& f) { position(f) = "0"; }, "not a whole number"},
       {"view", [](GltfFile& f) { f.root["accessors"][0]["bufferView"] = 99; }, "bufferViews[99]"},
@@ -244,7 +244,7 @@ TEST(HostileGltf, EveryKnownHarmGivesItsLine) {
        [](GltfFile& f) {
          f.root["animations"][0]["samplers"][0]["input"] = f.accessor(std::vector<float>{1, 0}, "SCALAR");
        },
-       "do not rise"},
+       "do not increase"},
       {"times that are not numbers",
        [](GltfFile& f) {
          f.root["animations"][0]["samplers"][0]["input"] = f.accessor(std::vector<float>{0, std::nanf("")}, "SCALAR");
@@ -319,22 +319,22 @@ TEST(HostileGltf, LongChainsOfNodes) {
   EXPECT_EQ(load(folder, file.glb()), "");
 }
 
-TEST(HostileGltf, SmallFilesCannotUnfoldWithoutEnd) {
+TEST(HostileGltf, SmallFilesCannotExpandWithoutLimit) {
   const TemporaryFolder folder;
   GltfFile copies;  // many nodes place one large mesh
   copies.primitive({{"POSITION", copies.accessor(std::vector<float>(300000, 1), "VEC3")}});
   for (int i = 0; i < 20000; ++i) copies.add("nodes", {{"mesh", 0}});
   EXPECT_NE(load(folder, copies.glb()).find("more than"), std::string::npos);
 
-  GltfFile targets;  // many targets name one accessor
+  GltfFile targets;  // many targets use one accessor
   targets.triangle();
   const int large = targets.accessor(std::vector<float>(300000, 1), "VEC3");
   targets.root["meshes"][0]["primitives"][0]["attributes"]["POSITION"] = large;
   for (int i = 0; i < 20000; ++i)
     targets.root["meshes"][0]["primitives"][0]["targets"].push_back({{"POSITION", large}});
-  EXPECT_NE(load(folder, targets.glb()).find("unfolds"), std::string::npos);
+  EXPECT_NE(load(folder, targets.glb()).find("expands"), std::string::npos);
 
-  GltfFile buffers;  // many buffers stand for the binary chunk
+  GltfFile buffers;  // many buffers refer to the binary chunk
   buffers.triangle();
   std::string bytes = buffers.glb();
   buffers.root["buffers"] = json::array({{{"byteLength", 36}}, {{"byteLength", 36}}});
@@ -387,7 +387,7 @@ TEST(HostileGltf, RandomBytes) {
   for (int round = 0; round < 3000; ++round) {
     std::string bytes = whole;
     const unsigned changes = 1 + random() % 8;
-    // Half of the rounds only harm the binary chunk, which the JSON check does not see.
+    // Half of the rounds only damage the binary chunk, which the JSON check does not see.
     const std::size_t from = round % 2 ? bytes.size() - everything().buffer.size() : 0;
     for (unsigned change = 0; change < changes; ++change)
       bytes[from + random() % (bytes.size() - from)] = static_cast<char>(random());

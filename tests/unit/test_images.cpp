@@ -31,7 +31,7 @@ Image layersImage() {
   return image;
 }
 
-// The kind of the error and its text; fails where nothing is thrown.
+// The kind of the error and its text; fails if nothing is thrown.
 template <class F>
 Error errorOf(F&& action) {
   try {
@@ -126,7 +126,7 @@ TEST(AtomicFile, AppearsOnCommitOnly) {
     file.write("first");
     EXPECT_FALSE(fs::exists(folder / "a.txt"));
   }
-  EXPECT_TRUE(fs::is_empty(folder.path())) << "the temporary stayed";
+  EXPECT_TRUE(fs::is_empty(folder.path())) << "the temporary file stayed";
   AtomicFile file(folder / "a.txt");
   file.write("first");
   file.write("second");

@@ -56,7 +56,7 @@ TEST(FastestWithin, LooksAtTheErrorThenTimeThenMemory) {
   EXPECT_EQ(fastestWithin({}, 1), std::nullopt);
 }
 
-TEST(ClearlyBeaten, NeedsHalfTheTimeAtNoOtherLoss) {
+TEST(ClearlyBeaten, NeedsHalfTheTimeAndNoOtherLoss) {
   const Cost point{100, 50, 0.01};
   const auto by = [&](const Cost& other) { return clearlyBeaten(point, std::span(&other, 1)); };
   EXPECT_TRUE(by({50, 50, 0.01}));
@@ -65,7 +65,7 @@ TEST(ClearlyBeaten, NeedsHalfTheTimeAtNoOtherLoss) {
   EXPECT_FALSE(by({10, 51, 0}));
   EXPECT_FALSE(by({10, 50, 0.02}));
   EXPECT_FALSE(by(point));
-  // Not even where no time was told.
+  // Not even if no time is known.
   const Cost untold{std::numeric_limits<double>::infinity(), 50, 0.01}, instant{0, 50, 0.01};
   EXPECT_FALSE(clearlyBeaten(untold, std::span(&untold, 1)));
   EXPECT_FALSE(clearlyBeaten(instant, std::span(&instant, 1)));

@@ -65,7 +65,7 @@ TEST(Pose, StepHoldsTheLastKey) {
 
 TEST(Pose, RotationTakesTheShorterWayAtEvenSpeed) {
   const float half = std::sqrt(0.5f);
-  // The second quaternion is the quarter turn with its sign flipped.
+  // The second quaternion is the rotation by 90 degrees with its sign flipped.
   Model model = load(animated("rotation", {0, 1}, {0, 0, 0, 1, 0, 0, -half, -half}, "VEC4", "LINEAR"));
   pose(model, 1.0 / 3);
   const float angle = glm::radians(30.0f);
@@ -73,7 +73,7 @@ TEST(Pose, RotationTakesTheShorterWayAtEvenSpeed) {
 }
 
 TEST(Pose, CubicSplineFollowsHermite) {
-  // Key 0: value 0, leaving at 2 a second; key 1 at 2 s: value 1, arriving at -1 a second.
+  // Key 0: value 0, leaving at 2 per second; key 1 at 2 s: value 1, arriving at -1 per second.
   Model model = load(
       animated("translation", {0, 2}, {9, 9, 9, 0, 0, 0, 2, 0, 0, -1, 0, 0, 1, 0, 0, 9, 9, 9}, "VEC3", "CUBICSPLINE"));
   pose(model, 0.5);
@@ -148,7 +148,7 @@ TEST(Pose, FarScenesMoveWithDoublePrecision) {
   Model model = load(file);
   const float before = corner(model, 0).x;
   pose(model, 0.5);
-  EXPECT_NEAR(corner(model, 0).x - before, 0.0005f, 1e-6) << "a float at 1e7 m steps by one metre";
+  EXPECT_NEAR(corner(model, 0).x - before, 0.0005f, 1e-6) << "a float at 1e7 m steps by one meter";
 }
 
 TEST(Pose, UnknownAnimationsAndTimesAreRefused) {
@@ -174,7 +174,7 @@ TEST(Pose, WorldMatricesAreThoseOfTheHierarchy) {
   EXPECT_EQ(glm::dvec3(world[1][3]), glm::dvec3(0, 8, 0)) << "parents first";
 }
 
-// Real files: every time gives finite positions, unit normals and a sane size.
+// Real files: at every time positions are finite, normals have unit length and the size is plausible.
 class PoseOfScene : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(PoseOfScene, StaysSane) {

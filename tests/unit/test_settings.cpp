@@ -127,7 +127,7 @@ TEST(Settings, WrongValuesAreNamed) {
   EXPECT_EQ(rejection("", "none"), "unknown setting ''");
 }
 
-TEST(Settings, NumbersThatAreNoneAreRejected) {
+TEST(Settings, TextsThatAreNotNumbersAreRejected) {
   for (const char* value : {"", " 1", "1 ", "1x", "nan", "inf", "-inf", "0x10", "1,5", "--1"})
     EXPECT_NE(rejection("select.fraction", value), "accepted") << "'" << value << "'";
   for (const char* value : {"99999999999999999999", "1e400", "nan", ""})

@@ -43,7 +43,7 @@ TEST(SettingsFile, SetsWhatItNamesAndNothingElse) {
   for (std::size_t i = 0; i < values.size(); ++i) EXPECT_EQ(values[i].value, wanted[i].value) << values[i].name;
 }
 
-// Every setting away from its default, one by one and all at once.
+// Every setting changed from its default, one at a time and all at once.
 TEST(SettingsFile, TextOfSettingsReadsBackAsThem) {
   EXPECT_EQ(settingsText({}), "");
   Settings all;
@@ -85,8 +85,8 @@ TEST(SettingsFile, NamesFileAndLineOfWhatIsWrong) {
             "a.toml:2: setting voxels.resolution: must be a whole number");
   EXPECT_EQ(problemOf("[voxels]\nresolution = 3.5\n"), "a.toml:2: setting voxels.resolution: must be a whole number");
   EXPECT_EQ(problemOf("[abuffer]\nsorted = 1\n"), "a.toml:2: setting abuffer.sorted: must be true or false");
-  EXPECT_EQ(problemOf("[select]\nmode = true\n"), "a.toml:2: setting select.mode: must be a text in quotes");
-  EXPECT_EQ(problemOf("[select]\nmode = []\n"), "a.toml:2: setting select.mode: must be a text in quotes");
+  EXPECT_EQ(problemOf("[select]\nmode = true\n"), "a.toml:2: setting select.mode: must be a quoted string");
+  EXPECT_EQ(problemOf("[select]\nmode = []\n"), "a.toml:2: setting select.mode: must be a quoted string");
   EXPECT_TRUE(problemOf("[voxels]\n\nresolution = 0\n").starts_with("a.toml:3: setting voxels.resolution: '0' is not"));
   EXPECT_TRUE(problemOf("[image]\nexposure = nan\n").starts_with("a.toml:2: setting image.exposure: 'nan' is not"));
   EXPECT_TRUE(
@@ -97,7 +97,7 @@ TEST(SettingsFile, NamesFileAndLineOfWhatIsWrong) {
   EXPECT_TRUE(problemOf("\xff\xfe\x00").starts_with("a.toml:1: "));
 }
 
-TEST(SettingsFile, LeavesTheSettingsAloneWhenSomethingIsWrong) {
+TEST(SettingsFile, LeavesTheSettingsAloneIfSomethingIsWrong) {
   Settings settings;
   EXPECT_THROW(applySettingsText(settings, "[abuffer]\nresolution = 64\nwrong = 1\n", "a.toml"), Error);
   EXPECT_EQ(settings.abuffer.resolution, Settings{}.abuffer.resolution);
@@ -124,7 +124,7 @@ TEST(Presets, AreThePublishedSystemsAndHoldNoDefaults) {
   for (const char* name : {"deferred", "kastrati2017", "hu2014", "reference", "halfsilver"})
     ASSERT_TRUE(byName.count(name)) << name;
   EXPECT_TRUE(byName["halfsilver"].values.empty());
-  // What a file names is what it changes: as many values as lines "key = value".
+  // Everything in a file is a change: as many values as lines "key = value".
   for (const PresetFile& file : presetFiles()) {
     std::size_t assignments = 0;
     bool lineStart = true, comment = false;

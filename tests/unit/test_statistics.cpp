@@ -40,12 +40,12 @@ TEST(StageTimes, RejectsAbsurdAnswersAndCountsThem) {
   EXPECT_EQ(none.runs, 0u);
   EXPECT_EQ(none.rejected, 2u);
   EXPECT_EQ(none.median, 0);
-  // Of two runs nothing says which is wrong; runs of 0 ms reject nothing.
+  // With two runs nobody can tell which is wrong; runs of 0 ms reject nothing.
   EXPECT_EQ(stageOf(summarize({1, 100}), "trace").rejected, 0u);
   EXPECT_EQ(stageOf(summarize({0, 0, 0.1}), "trace").rejected, 0u);
 }
 
-TEST(StageTimes, AllStagesAreAlwaysThereAndOthersFollow) {
+TEST(StageTimes, AllStagesAreAlwaysPresentAndOthersFollow) {
   StageTimes times;
   times.add(std::vector<StageTime>{{"extra", 4}, {"gbuffer", 1}});
   const auto all = times.summarize();

@@ -44,9 +44,9 @@ TEST(TuneLadders, ClimbOneSettingOfEachMethod) {
     }
 }
 
-TEST(TuneLadders, TheBaseSaysWhatIsDrawnAndOverridesStay) {
+TEST(TuneLadders, TheBaseDecidesWhatIsDrawnAndOverridesAreKept) {
   ViewRequest request;
-  request.preset = "hu2014";  // all pixels, and a structure of its own
+  request.preset = "hu2014";  // all pixels, with its own structure
   request.set = {"search.steps=3", "voxels.resolution=100", "image.exposure=1"};
   request.bounces = 2;
   const std::vector<Candidate> candidates = all(tuneLadders(request));

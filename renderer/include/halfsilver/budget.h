@@ -9,32 +9,32 @@
 namespace halfsilver {
 
 struct BudgetLimits {
-  double milliseconds = std::numeric_limits<double>::infinity();  // of GPU time, a frame
+  double milliseconds = std::numeric_limits<double>::infinity();  // of GPU time per frame
   double bytes = std::numeric_limits<double>::infinity();         // of the structure (MemoryReport::structureTotal)
-  float leastContribution = 0;                                    // 0..1: pixels at or below are dropped in any case
+  float minContribution = 0;                                      // 0..1: pixels at or below it are always dropped
 };
 
-// Keeps frames within a time and a memory by dropping the reflections that contribute least. After each frame:
+// Keeps frames within limits of time and memory by dropping the least visible reflections first. After each frame:
 //
 //   budget.learn(renderer.report());
 //   settings.select.minContribution = budget.minContribution();
 //   if (budget.forgetStructures()) renderer.forgetStructures();
 //
-// A frame beyond a limit drops pixels at once; only the time of a structure that the next frame keeps is forgiven.
-// Pixels come back after several frames with much room, and more slowly each time that they had to go again, so that
-// the picture does not swing between two thresholds.
+// A frame over a limit drops pixels at once; only the time spent on a structure that the next frame keeps is forgiven.
+// Pixels come back after several frames with room to spare, and more slowly each time they had to be dropped again, so
+// that the picture does not oscillate between two thresholds.
 class Budget {
  public:
   explicit Budget(const BudgetLimits& limits);
 
-  // Learns from the last frame, which was drawn as this object said.
+  // Learns from the last frame, which was drawn with this object's threshold.
   void learn(const FrameReport& report);
 
-  float minContribution() const { return minContribution_; }  // for SelectSettings
-  bool forgetStructures() const { return forget_; }           // before the next frame
-  bool held() const { return held_; }                         // whether the last frame was within the limits
-  std::uint64_t dropped() const { return dropped_; }          // pixels of the last frame, for the limits' sake
-  bool atRest() const { return atRest_; }                     // nothing is about to change while the view stays
+  float minContribution() const { return minContribution_; }   // for SelectSettings
+  bool forgetStructures() const { return forgetStructures_; }  // before the next frame
+  bool held() const { return held_; }                          // whether the last frame was within the limits
+  std::uint64_t dropped() const { return dropped_; }           // pixels of the last frame, because of the limits
+  bool atRest() const { return atRest_; }                      // nothing will change as long as the view stays
 
  private:
   struct Frame;  // what counts of a report
@@ -47,18 +47,21 @@ class Budget {
 
   BudgetLimits limits_;
   float minContribution_;
-  bool forget_ = false, held_ = false, atRest_ = false;
-  bool fresh_ = true;        // the last frame built its structure for its own rays alone
-  bool rose_ = false;        // the last change let pixels come back
-  int slow_ = 0, calm_ = 0;  // frames in a row: beyond the time, with much room
-  int patience_;             // calm frames before pixels come back
-  // Of the present view: pixels that could be traced, most rays that fitted into the memory, fewest that did not.
-  double available_ = 0, fitting_ = 0, tooMany_ = 0;
-  bool rayless_ = false;  // and the memory is beyond its limit without any ray
+  bool forgetStructures_ = false, held_ = false, atRest_ = false;
+  bool builtForItself_ = true;   // the last frame's structure was built for its own rays alone
+  bool pixelsCameBack_ = false;  // by the last change of the threshold
+  int slowFrames_ = 0;           // in a row, over the time limit
+  int roomyFrames_ = 0;          // in a row, with room to spare
+  int patience_;                 // roomy frames before pixels come back
+  // Of the current view.
+  double availablePixels_ = 0;    // that could be traced
+  double maxFittingRays_ = 0;     // the most that fitted into the memory
+  double minExcessRays_ = 0;      // the fewest that did not
+  bool overWithoutRays_ = false;  // the memory is over its limit even without rays
   std::uint64_t dropped_ = 0;
 };
 
-// The threshold that keeps about so many of the pixels that are counted (FrameReport::contributions).
+// The threshold that keeps about `kept` of the pixels counted in `contributions` (FrameReport::contributions).
 float contributionThreshold(std::span<const std::uint32_t> contributions, double kept);
 
 }  // namespace halfsilver

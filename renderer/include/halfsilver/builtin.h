@@ -9,28 +9,28 @@
 
 namespace halfsilver {
 
-// Names of the scenes made in code, without the "builtin:" prefix; failureScenes() are apart.
+// Names of the scenes made in code, without the "builtin:" prefix and without failureScenes().
 std::vector<std::string> builtinNames();
 
-// The scene, deterministic on every machine. Throws Error (badInput) for an unknown name, listing the known ones.
+// Makes a scene, bit-identical on every machine. Throws Error (badInput) for an unknown name and lists the known ones.
 Model makeBuiltin(std::string_view name);
 
-// Built-in scenes on which methods of tracing fail, each the smallest that breaks one of them, named for its cause.
-// Their names are known to makeBuiltin().
+// Built-in scenes on which tracing methods fail, each the smallest that breaks one of them and named after the cause.
+// makeBuiltin() knows their names.
 
-// What changes from one frame of a slow move to the next.
+// What changes from one frame of a slow motion to the next.
 struct SlowMove {
-  glm::vec3 camera{0};  // metres that the eye moves by
-  glm::vec3 object{0};  // metres that what is made of the material "moving" moves by
-  float growth = 1;     // factor by which that grows about its middle
+  glm::vec3 camera{0};  // how far the eye moves, in meters
+  glm::vec3 object{0};  // how far everything of the material "moving" moves, in meters
+  float growth = 1;     // factor by which the same grows about its center
 };
 
 struct FailureScene {
   std::string_view name;
-  std::string_view cause;  // what a method must cope with, in plain words
+  std::string_view cause;  // what a method has to cope with, in plain words
   Model (*make)();
   SlowMove move;
-  int bounces = 1;  // reflections along a path that show it
+  int bounces = 1;  // reflections along a path needed to show it
 };
 
 std::span<const FailureScene> failureScenes();

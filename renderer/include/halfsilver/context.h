@@ -4,27 +4,27 @@
 #include <memory>
 #include <string>
 
-// GL contexts without a window or a display. See README.md of this folder.
+// GL contexts without a window or a display. See renderer/context/README.md.
 namespace halfsilver {
 
 enum class ContextKind {
-  automatic,  // EGL, and OSMesa where that fails
+  automatic,  // EGL, or OSMesa if that fails
   egl,        // a device of EGL_EXT_platform_device, hardware before software; else EGL_MESA_platform_surfaceless
   osmesa      // Mesa's software rasterizer in memory
 };
 
 struct ContextOptions {
   bool debug = false;  // asks the driver for debug messages (KHR_debug)
-  // The libraries to open; another build can be named by its path. Empty: the system's.
+  // Names or paths of the libraries to open. Empty: the system's.
   std::string eglLibrary;
   std::string osmesaLibrary;
 };
 
-// A current OpenGL 4.5 core context; move-only, released and destroyed with the object. There is no default
-// framebuffer to draw to: draw into framebuffer objects.
+// An OpenGL 4.5 core context; move-only, released and destroyed with the object. It has no default framebuffer: draw
+// into framebuffer objects.
 //
-// A thread has at most one current context, EGL and OSMesa counted together: release() one before another is made or
-// made current. Destroy a context on a thread where it, or none, is current.
+// A thread has at most one current context, EGL and OSMesa counted together: release() it before making another or
+// making another current. Destroy a context on a thread where it, or no context, is current.
 class Context {
  public:
   using Proc = void (*)();
@@ -36,7 +36,7 @@ class Context {
   Context& operator=(Context&&) noexcept;
 
   const char* name() const;  // "egl" or "osmesa"
-  // Looks up GL functions; stays valid when the object moves.
+  // Looks up GL functions; stays valid if the object is moved.
   std::function<Proc(const char*)> getProcAddress() const;
 
   void makeCurrent();  // throws Error (noContext)
@@ -45,7 +45,7 @@ class Context {
   std::unique_ptr<Backend> backend_;
 };
 
-// Makes a context and makes it current. Throws Error (noContext): what was tried and what each lacked.
+// Makes a context and makes it current. Throws Error (noContext) that says what was tried and what each lacked.
 Context makeContext(ContextKind kind, const ContextOptions& options = {});
 
 }  // namespace halfsilver

@@ -5,15 +5,15 @@
 
 namespace halfsilver {
 
-// What went wrong, in the terms of the command line's exit codes.
+// What went wrong. The values are the exit codes of the command line.
 enum class ErrorKind {
-  failed = 1,    // a valid request that could not be carried out (disk full, GPU out of memory)
+  failed = 1,    // a valid request could not be carried out (disk full, GPU out of memory)
   usage = 2,     // the request itself is wrong (unknown option, size of 0)
   badInput = 3,  // a scene, image or configuration is unusable
   noContext = 4  // no usable GL context, or a GL feature or limit is missing
 };
 
-// The only exception that the project throws on purpose. what() is one line without a newline: file, what, where.
+// The only exception that the project throws on purpose. what() is a single line: file, what, where.
 class Error : public std::runtime_error {
  public:
   Error(ErrorKind kind, const std::string& message) : std::runtime_error(message), kind_(kind) {}

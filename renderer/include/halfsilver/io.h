@@ -18,37 +18,37 @@
 // halfsilver::io: scenes, images and settings files.
 namespace halfsilver {
 
-// Reads a glTF 2.0 scene (.gltf or .glb, told apart by content) with everything that it names, flattened at rest.
-// What could not be taken as it stands is said in Model::warnings. Throws Error (badInput), "file: what: where", for
-// anything unusable; no input makes it crash or allocate without bound.
+// Reads a glTF 2.0 scene (.gltf or .glb, recognized by content) with all files that it refers to, flattened at rest.
+// Model::warnings lists what had to be changed or ignored. Throws Error (badInput), "file: what: where", for anything
+// unusable; no input makes it crash or allocate without bound.
 // Source: the glTF 2.0 specification of the Khronos Group.
 Model loadGltf(const std::filesystem::path& file);
 
-// Images in and out. stb reads and writes PNG and reads JPEG and HDR, tinyexr writes EXR. OpenImageIO, where the
-// project is built with it, reads EXR and all other formats and compares perceptually; because its 260 shared libraries
-// cost a quarter of a second to load, it sits in a module that is opened on first use (see openimageio_module.h).
-// Without it tinyexr reads EXR, too.
+// Images in and out. stb reads and writes PNG and reads JPEG and HDR, tinyexr writes EXR. OpenImageIO, if the project
+// is built with it, reads EXR and all other formats and compares perceptually; since its 260 shared libraries take a
+// quarter of a second to load, it is in a module that is opened on first use (see openimageio_module.h). Without it,
+// tinyexr also reads EXR.
 
 struct ImageFile {
-  // Channels have the file's names; a picture without names has R G B A, or Y A for grey.
+  // Channels have the file's names; a picture without names gets R G B A, or Y A if it is gray.
   Image image;
   bool linear = false;  // EXR and HDR: linear radiance. Otherwise display values 0..1, as stored.
-  // Attribute "halfsilver:diagonal" of a layers file: the scene's diagonal in metres.
+  // Attribute "halfsilver:diagonal" of a layer file: the scene's diagonal in meters.
   std::optional<double> diagonal;
 };
 
-// Throws Error (badInput) with one line when the file is missing, does not decode or is larger than 2^30 values.
+// Throws Error (badInput) with one line if the file is missing, does not decode or has more than 2^30 values.
 ImageFile readImage(const std::filesystem::path& file);
 
 // 8-bit RGBA, rows from the top. `rgba` holds width * height * 4 bytes.
 std::vector<std::byte> encodePng(int width, int height, std::span<const std::uint8_t> rgba);
 
 // All channels as 32-bit floats under their names, ZIP-compressed; `diagonal` as above.
-// Throws Error (failed) where the format cannot hold the image.
+// Throws Error (failed) if the format cannot hold the image.
 std::vector<std::byte> encodeExr(const Image& image, std::optional<double> diagonal = {});
 
-// Reads an equirectangular image (HDR, EXR; a display format is linearized) as the sky's. Errors as readImage.
-// Returns how many values had to be brought into 0..65504: not a number, negative or brighter.
+// Reads an equirectangular image (HDR, EXR; display formats are linearized) into the sky. Errors as for readImage.
+// Returns how many values had to be clamped to 0..65504: negative, brighter or not a number.
 std::size_t readSky(const std::filesystem::path& file, Sky& sky);
 
 struct PerceptualDifference {
@@ -56,22 +56,22 @@ struct PerceptualDifference {
   double fraction = 0;         // of all pixels
 };
 
-// OpenImageIO's comparison after Yee et al. 2001, with its own defaults, on RGB values as they are. Both images have
-// the same size and the channels R G B. Nothing where OpenImageIO is not at hand.
+// OpenImageIO's comparison after Yee et al. 2001, with its own defaults, on RGB values as they are. Both images must
+// have the same size and the channels R G B. Nothing if OpenImageIO is not available.
 std::optional<PerceptualDifference> comparePerceptually(const Image& image, const Image& reference);
 
-// Settings in TOML: sections and keys are the settings' names ([voxels] resolution = 64). A file names only what it
+// Settings in TOML: sections and keys are the settings' names ([voxels] resolution = 64). A file contains only what it
 // changes. The presets are the files config/<name>.toml, embedded in the library.
 
-// Applies a text to the settings. `name` stands for the file in messages. Throws Error (badInput) with
+// Applies TOML text to the settings. `name` is the file's name in messages. Throws Error (badInput) with
 // "name:line: what" for a syntax error, an unknown key, a value of the wrong type or out of range; the settings are
 // then unchanged.
 void applySettingsText(Settings& settings, std::string_view text, const std::string& name);
 
-// As above from a file; also throws Error (badInput) when it cannot be read.
+// The same from a file; also throws Error (badInput) if it cannot be read.
 void applySettingsFile(Settings& settings, const std::filesystem::path& file);
 
-// The text that makes these settings out of the defaults: what differs from them, and what `always` names in any case.
+// TOML text that turns the defaults into these settings: all that differ, and those named in `always` in any case.
 std::string settingsText(const Settings& settings, std::span<const std::string> always = {});
 
 struct Preset {
@@ -83,7 +83,7 @@ struct Preset {
 // All presets, sorted by name.
 std::vector<Preset> presets();
 
-// Throws Error (usage) for an unknown name, listing the known ones.
+// Throws Error (usage) for an unknown name and lists the known ones.
 void applyPreset(Settings& settings, std::string_view name);
 
 struct PresetFile {
@@ -96,8 +96,8 @@ std::span<const PresetFile> presetFiles();
 
 // How far an image is from a reference.
 
-// Of layer files. All are shares of the pixels selected in either file (0 where there are none); a pixel is hit where
-// its hit.T is at least 0.
+// For layer files. All figures are fractions of the pixels selected in either file (0 if there are none); a pixel is a
+// hit if its hit.T is at least 0.
 struct LayerComparison {
   std::uint64_t pixels = 0;     // selected in either file
   double hitError = 0;          // hit in one file only, or hit.T further apart than 0.1 % of the scene's diagonal
@@ -110,18 +110,18 @@ struct LayerComparison {
 
 struct Comparison {
   double rmse = 0;      // over R, G, B of all pixels, in the files' own values (PNG: display values 0..1)
-  double psnrDb = 0;    // 20 log10(peak / rmse), peak = the larger of 1 and the largest value; infinite when equal
+  double psnrDb = 0;    // 20 log10(peak / rmse), peak = the larger of 1 and the largest value; infinite if equal
   double maxError = 0;  // largest difference of one channel
   std::optional<PerceptualDifference> perceptual;
-  std::optional<LayerComparison> layers;  // where both files have the channels selected.Y, hit.T and hit.id
+  std::optional<LayerComparison> layers;  // if both files have the channels selected.Y, hit.T and hit.id
 };
 
-// `diagonal` in metres. Throws Error (badInput) where the sizes differ or a channel is missing.
+// `diagonal` in meters. Throws Error (badInput) if the sizes differ or a channel is missing.
 LayerComparison compareLayers(const Image& image, const Image& reference, double diagonal);
 
-// `diagonal` (metres) overrides what the files say. Throws Error: badInput where the sizes differ, a file has no colour
-// or holds values that are not finite, or the files' diagonals differ; usage where layers are compared and no diagonal
-// is known.
+// `diagonal` (meters) overrides that of the files. Throws Error: badInput if the sizes differ, a file has no color
+// channels or contains values that are not finite, or the files' diagonals differ; usage if layers are compared and no
+// diagonal is known.
 Comparison compareImages(const ImageFile& image, const ImageFile& reference, std::optional<double> diagonal = {});
 
 }  // namespace halfsilver

@@ -8,7 +8,7 @@
 
 #include <halfsilver/scene.h>
 
-// A loaded scene with what can move in it. The rig holds the node hierarchy in double precision and the undeformed
+// A loaded scene and what can move in it. The rig contains the node hierarchy in double precision and the undeformed
 // geometry; pose() writes world-space vertices into the scene.
 namespace halfsilver {
 
@@ -18,7 +18,7 @@ struct Node {
   glm::dvec3 translation{0};
   glm::dquat rotation{1, 0, 0, 0};
   glm::dvec3 scale{1};
-  glm::dmat4 matrix{1};  // used instead of the three above where hasMatrix
+  glm::dmat4 matrix{1};  // used instead of the three above if hasMatrix
   bool hasMatrix = false;
   std::vector<float> weights;  // morph weights at rest
 };
@@ -33,17 +33,17 @@ struct Instance {
   std::uint32_t firstTriangle = 0, triangleCount = 0;
   std::vector<Vertex> rest;  // local space; positions absolute
   struct MorphTarget {
-    std::vector<glm::vec3> positions, normals, tangents;  // empty or one a vertex
+    std::vector<glm::vec3> positions, normals, tangents;  // empty or one per vertex
   };
   std::vector<MorphTarget> targets;
-  std::vector<glm::uvec4> joints;  // empty or one a vertex
+  std::vector<glm::uvec4> joints;  // empty or one per vertex
   std::vector<glm::vec4> weights;  // sum 1
   bool flatNormals = false;        // vertices 3k .. 3k + 2 are one triangle, whose normal follows its deformed corners
 };
 
 struct Skin {
   std::vector<int> joints;              // nodes
-  std::vector<glm::dmat4> inverseBind;  // one a joint
+  std::vector<glm::dmat4> inverseBind;  // one per joint
 };
 
 enum class Interpolation { linear, step, cubicSpline };
@@ -53,7 +53,7 @@ struct Channel {
   int node = -1;
   AnimatedProperty property = AnimatedProperty::translation;
   Interpolation interpolation = Interpolation::linear;
-  std::vector<float> times;   // seconds, rising
+  std::vector<float> times;   // seconds, increasing
   std::vector<float> values;  // as glTF lays them out (cubic: in-tangent, value, out-tangent)
 };
 
@@ -68,7 +68,7 @@ struct Rig {
   std::vector<Instance> instances;
   std::vector<Skin> skins;
   std::vector<Animation> animations;
-  // Lights and cameras that hang on nodes: index into Scene::lights / Scene::cameras -> node.
+  // The node of each light and camera that is attached to one: index into Scene::lights or Scene::cameras -> node.
   std::vector<int> lightNodes, cameraNodes;
 };
 
@@ -77,9 +77,9 @@ struct DropCounts {
   std::uint64_t nonFinite = 0;   // a vertex is NaN or infinite
 };
 
-// What a range of the flattened triangles comes from, for reports. Degenerate triangles are not counted.
+// Where a range of the flattened triangles comes from, for reports. Degenerate triangles are not counted.
 struct Part {
-  std::string node, mesh;  // names, or "node 3", "mesh 1" where the file gives none
+  std::string node, mesh;  // names, or "node 3", "mesh 1" if the file gives none
   int primitive = 0;       // within the mesh
   std::uint32_t firstTriangle = 0, triangleCount = 0;
   std::uint32_t material = 0;
@@ -87,7 +87,7 @@ struct Part {
 
 struct Model {
   Scene scene;              // at rest
-  Rig rig;                  // instances are empty where nothing can move
+  Rig rig;                  // without instances if nothing can move
   std::vector<Part> parts;  // in the order of the triangles
   DropCounts dropped;
   std::vector<std::string> warnings;  // one line each
@@ -97,10 +97,10 @@ struct VertexRange {
   std::uint32_t first = 0, count = 0;
 };
 
-// Moves the scene to a time of its first animation (or the one that `animation` counts; -1: the rest pose), looping.
-// Returns the vertex ranges that changed. Node transforms are evaluated in double precision; positions are rounded to
-// float once. Throws Error: usage for an unknown animation or a time that is not finite, badInput where vertices leave
-// the range of floats.
+// Moves the scene to a time of an animation, which loops: the first one, or that with the index `animation` (-1: the
+// rest pose). Returns the vertex ranges that changed. Node transforms are evaluated in double precision; positions are
+// rounded to float once. Throws Error: usage for an unknown animation or a time that is not finite, badInput if
+// vertices leave the range of floats.
 std::vector<VertexRange> pose(Model& model, double seconds, int animation = 0);
 
 // World matrices of all nodes with the animation applied (double precision, world units).

@@ -94,8 +94,8 @@ class Renderer {
   // A frame in two halves. begin() draws all that needs no hits and starts the rays; finish() ends the oldest frame
   // that was begun. Up to two may be under way, so that a tracer on the CPU works beside the GPU; each has memory of
   // its own. The scene must not change between the two, and the target has the size that begin() was given. Settings
-  // that make another tracer (its method or what that reads) wait until no frame is under way. Throw Error (usage)
-  // otherwise.
+  // that make another tracer (its method or what that reads) or other shadow maps wait until no frame is under way.
+  // Throw Error (usage) otherwise.
   void begin(const Camera& camera, const Settings& settings, int width, int height);
   void finish(const Target& target);
 
@@ -111,7 +111,8 @@ class Renderer {
   std::vector<std::string> reloadShaders();
 
   // The frame that finish() ended last as the layers of the contract (R G B A, depth.Z, normal.X/Y/Z, reflectivity.Y,
-  // selected.Y, hit.T, hit.id, hit.nx/ny/nz, reflection.R/G/B), rows from the top. Waits for the GPU.
+  // selected.Y, hit.T, hit.id, hit.nx/ny/nz, reflection.R/G/B), rows from the top. Waits for the GPU. With frames under
+  // way, only until a begin() takes the memory of that frame.
   Image readLayers() const;
 
  private:

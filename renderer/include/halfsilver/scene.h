@@ -11,7 +11,7 @@
 #include <halfsilver/bounds.h>
 
 // What the renderer draws: world-space triangles with materials, lights and a sky. glTF's conventions: right-handed,
-// y up, metres, counter-clockwise front faces, linear RGB radiometry.
+// y up, meters, counter-clockwise front faces, linear RGB radiometry.
 //
 // Positions are stored as floats relative to Scene::origin (a double, in world units), so that a scene far from the
 // world's origin keeps its precision. Everything positional in a Scene (vertices, lights, cameras) is relative to it.
@@ -22,7 +22,7 @@ struct Vertex {
   glm::vec3 normal{0, 1, 0};      // unit
   glm::vec4 tangent{1, 0, 0, 1};  // unit xyz; w is the bitangent's sign
   std::array<glm::vec2, 2> uv{glm::vec2(0), glm::vec2(0)};
-  glm::vec4 color{1};  // linear, multiplies the base colour
+  glm::vec4 color{1};  // linear, multiplies the base color
 };
 
 struct Triangle {
@@ -35,14 +35,14 @@ struct Texture {
   std::string name;
   int width = 0;
   int height = 0;
-  bool srgb = false;  // RGB are sRGB-encoded (base colour, emissive); alpha is always linear
+  bool srgb = false;  // RGB are sRGB-encoded (base color, emissive); alpha is always linear
   std::vector<std::uint8_t> texels;
 };
 
 enum class Wrap { repeat, mirror, clamp };
 enum class Filter { nearest, linear };
 
-// A use of a texture by a material; `texture` < 0 means none.
+// How a material uses a texture; `texture` < 0 means none.
 struct TextureUse {
   int texture = -1;
   int uvSet = 0;  // 0 or 1
@@ -57,9 +57,9 @@ struct TextureUse {
 
 enum class AlphaMode {
   opaque,
-  mask,  // cut where the base colour's alpha is below alphaCutoff
-  blend  // drawn without blending: cut where the alpha of texture times vertex colour is below a half (the factor is
-         // ignored, so that plain glass stays visible)
+  mask,  // cut out where the base color's alpha is below alphaCutoff
+  blend  // drawn without blending: cut out where texture alpha times vertex alpha is below 0.5 (the factor is ignored,
+         // so that plain glass stays visible)
 };
 
 // glTF metallic-roughness with KHR_materials_ior, _specular, _emissive_strength and _unlit.
@@ -78,7 +78,8 @@ struct Material {
   AlphaMode alphaMode = AlphaMode::opaque;
   bool doubleSided = false;
   bool unlit = false;
-  // Overrides the reflectance at normal incidence (roughness 0, no normal map); see --mirror.
+  // Reflectance at normal incidence, 0..1, in place of the material's own; also makes roughness 0 and drops the normal
+  // map. See --mirror.
   std::optional<float> mirror;
 
   TextureUse baseColorTexture;          // sRGB
@@ -95,7 +96,7 @@ enum class LightType { directional, point, spot };
 struct Light {
   LightType type = LightType::directional;
   glm::vec3 position{0};          // relative to Scene::origin; point and spot
-  glm::vec3 direction{0, -1, 0};  // unit, the way the light travels; directional and spot
+  glm::vec3 direction{0, -1, 0};  // unit, in which the light travels; directional and spot
   glm::vec3 color{1};             // linear
   float intensity = 1;            // lux for directional, candela for point and spot
   float range = 0;                // 0: unlimited
@@ -103,13 +104,13 @@ struct Light {
   float outerConeAngle = 0.7853982f;
 };
 
-// Radiance from outside the scene: an equirectangular image where there is one, or a vertical gradient.
+// Radiance from outside the scene: an equirectangular image if there is one, otherwise a vertical gradient.
 struct Sky {
   glm::vec3 zenith{0.35f, 0.55f, 0.95f};
   glm::vec3 horizon{0.80f, 0.87f, 0.95f};
   glm::vec3 ground{0.30f, 0.28f, 0.26f};
   float intensity = 1;  // multiplies gradient and image alike
-  // Linear RGB, three floats a texel, rows from the top (up); u = 0.5 + atan2(x, -z) / 2 pi; empty: the gradient.
+  // Linear RGB, three floats per texel, rows from the top (up); u = 0.5 + atan2(x, -z) / 2 pi; empty: the gradient.
   int imageWidth = 0;
   int imageHeight = 0;
   std::vector<float> image;
@@ -121,7 +122,7 @@ struct Camera {
   glm::vec3 target{0};
   glm::vec3 up{0, 1, 0};
   float verticalFov = 0.8726646f;  // radians
-  // Distances to the clipping planes in metres; 0: chosen from the scene's bounds.
+  // Distances to the clipping planes in meters; 0: derived from the scene's bounds.
   float nearPlane = 0;
   float farPlane = 0;
 };
@@ -130,8 +131,8 @@ struct Scene {
   std::string name;
   glm::dvec3 origin{0};  // world position of the relative coordinates' zero
   std::vector<Vertex> vertices;
-  std::vector<Triangle> triangles;  // the flattened order: the triangle's number everywhere in the project
-  std::vector<Material> materials;  // never empty where there are triangles
+  std::vector<Triangle> triangles;  // an index into these is the triangle's number everywhere
+  std::vector<Material> materials;  // never empty if there are triangles
   std::vector<std::shared_ptr<const Texture>> textures;
   std::vector<Light> lights;
   std::vector<Camera> cameras;
@@ -141,7 +142,7 @@ struct Scene {
   Bounds bounds() const;
 };
 
-// A camera that sees the whole of the bounds from a little above and to the side.
+// A camera that sees all of the bounds, from slightly above and to the side.
 Camera frameAll(const Bounds& bounds);
 
 }  // namespace halfsilver

@@ -12,7 +12,7 @@ struct SceneChange {
   bool materials = false;  // their values; triangles keep the material that they name
   bool lights = false;     // the list of lights
   bool sky = false;
-  std::vector<VertexRange> moved;  // vertices with new positions, normals or tangents
+  std::vector<VertexRange> moved{};  // vertices with new positions, normals or tangents
 
   // Whether a triangle may be elsewhere than before.
   bool geometry() const { return topology || !moved.empty(); }

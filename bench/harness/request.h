@@ -1,0 +1,50 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "apps/arguments.h"
+#include "apps/scene_input.h"
+
+namespace CLI {
+class App;
+}
+
+// What the command line asks for. Most options are the same for all modes.
+namespace halfsilver::bench {
+
+constexpr const char* kDefaultPreset = "halfsilver";
+constexpr const char* kReference = "reference";
+
+struct Request {
+  std::vector<std::string> scenes;  // as `halfsilver render` names them
+  std::string folder;
+  Size size;
+  bool quick = false;
+  std::string context = "auto";
+  std::vector<std::string> mirrors;  // MATERIAL=REFLECTIVITY or SCENE:MATERIAL=REFLECTIVITY
+  CameraRequest camera;              // for one scene; otherwise each scene's own
+  std::vector<ViewArgument> views;   // each scene is a sceneName()
+  std::vector<std::string> presets;  // empty: the mode's own
+  std::vector<std::string> methods;  // of stability; empty: all
+  double timeLimit = 20;             // of scaling; seconds, above 0
+};
+
+// The presets of the request, or `otherwise` if it names none.
+std::vector<std::string> chosenPresets(const Request& request, const std::vector<std::string>& otherwise);
+
+// A scene's name in all outputs: "builtin:sphere", or the file's name without its folder.
+std::string sceneName(const std::string& scene);
+
+// Texts of the options that checkRequest() parses.
+struct RequestTexts {
+  std::string size, eye, target;
+  std::vector<std::string> views;
+};
+
+// Adds the options of all modes; request and texts must outlive the command.
+void addRequestOptions(CLI::App& command, Request& request, RequestTexts& texts);
+// Parses the texts into the request. Throws Error (usage).
+void checkRequest(Request& request, const RequestTexts& texts);
+
+}  // namespace halfsilver::bench
