@@ -110,10 +110,12 @@ std::vector<SettingInfo> describe(const Settings& settings) {
       info.value = value ? "true" : "false";
     } else if constexpr (isChoice<T>) {
       info.choices = choicesOf<T>();
-      if constexpr (std::is_enum_v<T>)
+      if constexpr (std::is_enum_v<T>) {
         info.value = info.choices[static_cast<std::size_t>(value)];
-      else
+      } else {
         info.value = value;
+        for (const MethodInfo& method : methods()) info.help += "; " + method.name + ": " + method.help;
+      }
     } else {
       info.kind = std::is_integral_v<T> ? SettingInfo::Kind::integer : SettingInfo::Kind::real;
       info.value = numberText(value);

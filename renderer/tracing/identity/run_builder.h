@@ -23,9 +23,9 @@ class RunBuilder {
   // Builds what has been requested since the last call. False if it finds no room: the bricks stay requested.
   bool buildRequested(const GpuScene& scene, RunStore& store);
 
-  // Gives up the bricks that moved triangles have come to, so that rays ask for them again. Those that they have
-  // left can stay: the exact test sees where a triangle is now. The bricks that they came to at the last
-  // move are given up, too, so that lists do not grow along an object's path.
+  // Gives up the bricks that moved triangles have come to, so that rays ask for them again. Those that they have left
+  // can stay: the exact test sees where a triangle is now. The bricks that they came to at the last move are given up,
+  // too, so that lists do not grow along an object's path.
   void giveUpMoved(const GpuScene& scene, std::span<const VertexRange> moved, RunStore& store);
 
   // Memory that is needed while a frame builds.
