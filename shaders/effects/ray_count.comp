@@ -2,6 +2,7 @@
 // axis, so large queues get rows of groups: ray = 64 * (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) +
 // gl_LocalInvocationIndex, if that is below `count`.
 #include "shared/bindings.h"
+#include "shared/rays.h"
 #include "shared/structs.h"
 
 layout(local_size_x = 1) in;

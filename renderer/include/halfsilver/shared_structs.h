@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 
-// The C++ side of shaders/shared/structs.h: the same names and layouts. std140 and std430 align a vec3 to 16 bytes and
-// a vec2 to 8, and round a struct with a vec3 up to 16; C++ does not, so every offset and size is asserted.
+// The C++ side of shaders/shared/structs.h and rays.h: the same names and layouts. std140 and std430 align a vec3 to 16
+// bytes and a vec2 to 8, and round a struct with a vec3 up to 16; C++ does not, so every offset and size is asserted.
 namespace halfsilver::shared {
 
 using glm::mat4;
@@ -15,6 +15,7 @@ using glm::vec4;
 using uint = std::uint32_t;
 
 #include "shared/bindings.h"
+#include "shared/rays.h"
 #include "shared/structs.h"
 
 #define HALFSILVER_AT(type, member, offset) static_assert(offsetof(type, member) == (offset), #type "::" #member)

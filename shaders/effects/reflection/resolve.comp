@@ -2,6 +2,7 @@
 // order, so the sum does not depend on the order in which rays were traced. One invocation per pixel of the queue.
 #include "lib/frame.glsl"
 #include "shared/passes/resolve.h"
+#include "shared/rays.h"
 
 layout(local_size_x = 64) in;
 

@@ -5,6 +5,7 @@
 #include "lib/scene.glsl"
 #include "lib/sky.glsl"
 #include "shared/passes/shade_hits.h"
+#include "shared/rays.h"
 
 layout(local_size_x = 64) in;
 

@@ -2,6 +2,7 @@
 #include "lib/blend.glsl"
 #include "lib/display.glsl"
 #include "shared/passes/spawn.h"
+#include "shared/rays.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 

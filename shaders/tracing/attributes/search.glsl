@@ -3,6 +3,7 @@
 // back to where the ray went in. LINEAR_STEPS > 0 takes that many equal steps; 0 visits every texel (full 2D-DDA).
 #include "lib/when.glsl"
 #include "shared/passes/trace.h"
+#include "shared/rays.h"
 #include "shared/structs.h"
 #include "tracing/attributes/entry.glsl"
 #include "tracing/attributes/sample.glsl"

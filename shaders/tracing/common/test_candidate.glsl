@@ -4,6 +4,7 @@
 #include "lib/scene.glsl"
 #include "lib/triangles.glsl"
 #include "lib/when.glsl"
+#include "shared/rays.h"
 #include "shared/structs.h"
 #include "tracing/common/ray_triangle.glsl"
 #include "tracing/common/walk.glsl"

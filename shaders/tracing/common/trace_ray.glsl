@@ -3,6 +3,7 @@
 #include "lib/frame.glsl"
 #include "shared/bindings.h"
 #include "shared/passes/trace.h"
+#include "shared/rays.h"
 #include "shared/structs.h"
 #include "shared/tracing.h"
 #include "tracing/common/grid.glsl"

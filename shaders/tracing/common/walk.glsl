@@ -1,6 +1,6 @@
 // Walks of a ray through voxels and texels (3D-DDA and 2D-DDA, Amanatides & Woo 1987). Every boundary is computed from
 // the ray itself instead of summed up, so that errors do not grow along the way.
-#include "shared/structs.h"
+#include "shared/rays.h"
 #include "tracing/common/grid.glsl"
 #include "tracing/common/ray_triangle.glsl"
 

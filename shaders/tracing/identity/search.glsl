@@ -5,6 +5,7 @@
 // waits for the next dispatch.
 #include "lib/when.glsl"
 #include "shared/passes/identity.h"
+#include "shared/rays.h"
 #include "tracing/common/test_candidate.glsl"
 #include "tracing/common/trace_state.glsl"
 #include "tracing/common/walk.glsl"

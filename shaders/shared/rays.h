@@ -1,0 +1,72 @@
+// Rays, what effects know of them and what tracers answer; laid out as the structs of structs.h.
+#ifndef HALFSILVER_RAYS_H
+#define HALFSILVER_RAYS_H
+
+// Ray results in Hit::t.
+#define HIT_MISS -1.0
+#define HIT_NOT_TRACED -2.0
+#define HIT_OVERFLOW -3.0
+
+// One ray as a tracer sees it.
+struct Ray {
+  vec3 origin;        // relative to Scene::origin, metres
+  float maxDistance;  // hits beyond are misses, metres; FAR_AWAY: none is too far
+  vec3 direction;     // unit
+  uint excluded;      // triangle that the ray starts on, or NO_TRIANGLE
+};
+#define FAR_AWAY 3.0e38f
+
+// What an effect knows of the same ray, at the same index.
+struct RayPath {
+  vec3 throughput;
+  float pathLength;  // from the eye to the origin, metres (for texture footprints)
+  uint pixel;        // y * width + x, row 0 at the bottom
+  uint slot;         // where its light is summed; no two rays of a dispatch share one
+  uint kind;         // RAY_...
+  uint padding;
+};
+#define RAY_REFLECTION 0u
+
+// Light that the rays of one slot have gathered.
+struct Radiance {
+  vec3 sum;
+  uint answered;  // 1 if the slot's first ray hit or missed, 0 if it was given up or never traced
+};
+
+// Filled by the effect; `groups*` is an indirect dispatch of 64 rays per group.
+struct RayCount {
+  uint groupsX;
+  uint groupsY;
+  uint groupsZ;
+  uint count;
+  uint reflecting;  // before the selection is thinned by fraction and contribution
+  uint unfinished;  // rays that a dispatch left for the next one (see tracing)
+  uint overflow;    // rays that were given up
+  uint padding;
+};
+
+// Result of one ray (16 bytes). t in metres along the unit direction; triangle is NO_TRIANGLE unless it hit.
+struct Hit {
+  float t;
+  uint triangle;
+  float u;  // barycentric weight of the second vertex
+  float v;  // of the third
+};
+
+// A ray that waits for the next dispatch, at the ray's index; Hit::triangle is then UNFINISHED_TRIANGLE.
+struct PausedRay {
+  float t;            // where to go on, metres
+  uint bestTriangle;  // nearest so far + 1, or 0
+  uint tested;        // candidates of the voxel at t that are done
+  uint incomplete;    // 1 if the ray came by something that is missing from the structure
+};
+
+// Surface attributes of a hit as a method stored them (Kastrati & Goswami 2017, figure 2).
+struct HitSurface {
+  vec3 baseColor;
+  float padding;
+  vec3 normal;  // unit
+  float reflectivity;
+};
+
+#endif
