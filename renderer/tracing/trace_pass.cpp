@@ -60,15 +60,15 @@ void TracePass::bind(const FrameView& view, const RayQueue& rays, const Hits& hi
 }
 
 void TracePass::run(const FrameView& view, const RayQueue& rays, const Hits& hits, const Structure& structure) {
-  const std::size_t pausedBytes = rays.capacity * sizeof(shared::PausedRay);
+  const bool limited = api_->software;
+  const bool once = !limited && !structure.supply;  // then no ray pauses
+  const std::size_t pausedBytes = (once ? 1 : rays.capacity) * sizeof(shared::PausedRay);
   if (paused_.bytes() < pausedBytes) {
     paused_ = gl::Buffer();
     paused_ = gl::Buffer(*api_, pausedBytes, "paused rays");
   }
   // The queue (selection, shading) is read as arguments of the dispatch and by the trace.
   api_->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
-  const bool limited = api_->software;
-  const bool once = !limited && !structure.supply;
   program_.set("workLimit", limited ? kSoftwareWorkLimit : std::numeric_limits<int>::max());
   bool more = !once;
   for (int i = 0; i < kMaxDispatches; ++i) {

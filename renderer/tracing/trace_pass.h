@@ -21,6 +21,7 @@ class TracePass {
 
   // For the method's own uniforms.
   const gl::Program& program() const { return program_; }
+  std::uint64_t bytes() const { return paused_.bytes(); }  // of rays that pause between dispatches
 
   // What the method adds.
   struct Structure {

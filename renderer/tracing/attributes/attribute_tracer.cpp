@@ -139,6 +139,7 @@ TracerMemory AttributeTracer::memory() const {
   TracerMemory memory;
   memory.voxels = voxels_.bytes();
   memory.grid = grid_.voxels;
+  memory.transient = tracePass_.bytes();
   pool_.report(memory, kEntryBytes);
   return memory;
 }

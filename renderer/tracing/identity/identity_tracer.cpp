@@ -74,6 +74,7 @@ TracerMemory IdentityTracer::memory() const {
   TracerMemory memory;
   store_.report(memory);
   builder_.addMemory(memory);
+  memory.transient += tracePass_.bytes();
   return memory;
 }
 
