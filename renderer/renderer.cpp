@@ -124,7 +124,7 @@ void Renderer::Impl::finishBatch(const FrameView& view, Frame& frame) {
       reserveHits(rays, hits);
       tracer->trace(view, rays, hits);
     }
-    effect->shade(view, rays, hits, last ? nullptr : &next, frame.effect);
+    effect->shade(view, rays, hits, generation, last ? nullptr : &next, frame.effect);
   }
   effect->resolve(view, frame.queues[0], frame.effect, frame.gbuffer);
 }

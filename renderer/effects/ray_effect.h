@@ -22,13 +22,14 @@ class RayEffect {
   // How many times hits may send on rays, the first rays included: at least 1.
   virtual int generations(const Settings& settings) const = 0;
 
-  // Fills the queue with a batch of first rays, with their count and dispatch, and empties their slots. The G-buffer is
+  // Fills the queue with a batch of first rays, with their count and dispatch. The G-buffer is
   // shaded. Allocates what is too small.
   virtual void spawn(const FrameView& view, const GBuffer& gbuffer, int batch, RayQueue& out, EffectFrame& frame) = 0;
 
-  // Adds the light of the hits to the rays' slots. `next` receives the rays of the next generation, with their count
-  // and dispatch, and grows to hold as many as there can be; it is null in the last generation.
-  virtual void shade(const FrameView& view, const RayQueue& rays, const Hits& hits, RayQueue* next,
+  // Adds the light of the hits to the rays' slots, which generation 0 begins. `next` receives the rays of the next
+  // generation, with their count and dispatch, and grows to hold as many as there can be; it is null in the last
+  // generation.
+  virtual void shade(const FrameView& view, const RayQueue& rays, const Hits& hits, int generation, RayQueue* next,
                      EffectFrame& frame) = 0;
 
   // Brings the light of a batch's slots to the pixels. `first` is the queue that spawn() filled.

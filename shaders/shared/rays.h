@@ -27,11 +27,12 @@ struct RayPath {
 };
 #define RAY_REFLECTION 0u
 
-// Light that the rays of one slot have gathered.
+// Light that the rays of one slot have gathered. The first generation's shading begins it.
 struct Radiance {
   vec3 sum;
-  uint answered;  // 1 if the slot's first ray hit or missed, 0 if it was given up or never traced
+  uint pixel;  // that it belongs to, or NO_PIXEL if the slot's first ray was given up
 };
+#define NO_PIXEL 0xffffffffu
 
 // Filled by the effect; `groups*` is an indirect dispatch of 64 rays per group.
 struct RayCount {

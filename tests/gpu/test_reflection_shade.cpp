@@ -49,20 +49,20 @@ class ReflectionShade : public LightTest {
     return makeQueue(api, rays, paths);
   }
 
-  // Shades first rays, whose slots are empty before, and brings their light to the pixels.
+  // Shades first rays and brings their light to the pixels.
   void shade(const RayQueue& first, const std::vector<shared::Hit>& found, RayQueue* next = nullptr,
              const std::vector<shared::HitSurface>& surfaces = {}) {
-    emptySlots(first);
-    shadeOn(first, first, found, next, surfaces);
+    makeSlots(first.capacity);
+    shadeOn(first, first, found, next, surfaces, 0);
   }
 
   // The same for rays of a later generation, which add to the slots of the first.
   void shadeOn(const RayQueue& first, const RayQueue& rays, const std::vector<shared::Hit>& found,
-               RayQueue* next = nullptr, const std::vector<shared::HitSurface>& surfaces = {}) {
+               RayQueue* next = nullptr, const std::vector<shared::HitSurface>& surfaces = {}, int generation = 1) {
     Hits hits;
     hits.hits = gl::makeBuffer(api, std::span<const shared::Hit>(found), "hits");
     if (!surfaces.empty()) hits.surfaces = gl::makeBuffer(api, std::span<const shared::HitSurface>(surfaces), "s");
-    reflectionEffect.shade(view(), rays, hits, next, effectFrame_);
+    reflectionEffect.shade(view(), rays, hits, generation, next, effectFrame_);
     reflectionEffect.resolve(view(), first, effectFrame_, gbuffer);
   }
 
@@ -72,16 +72,10 @@ class ReflectionShade : public LightTest {
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(found[c], expected[c], 2e-3f) << "channel " << c;
   }
 
-  void emptySlots(const RayQueue& first) {
-    std::vector<GLuint> slotPixels;
-    for (const auto& path : first.paths.read<shared::RayPath>(first.capacity)) slotPixels.push_back(path.pixel);
-    emptySlots(slotPixels, 1);
-  }
-  void emptySlots(const std::vector<GLuint>& slotPixels, std::size_t slotsPerPixel) {
-    effectFrame_.radiance.pixels = gl::makeBuffer(api, std::span<const GLuint>(slotPixels), "pixels of slots");
-    effectFrame_.radiance.slots =
-        gl::Buffer(api, slotPixels.size() * slotsPerPixel * sizeof(shared::Radiance), "slots");
-    effectFrame_.radiance.slots.fill(0);
+  // With contents of an earlier frame.
+  void makeSlots(std::size_t count) {
+    effectFrame_.slots = gl::makeBuffer(
+        api, std::span<const shared::Radiance>(std::vector<shared::Radiance>(count, {vec3(9), 0})), "slots");
   }
 
   Scene scene_;
@@ -247,13 +241,11 @@ TEST_F(ReflectionShade, RaysOfOnePixelSumToTheSameBitsInAnyOrder) {
     shared::Hit hit;
   };
   std::vector<Shot> shots[2];
-  std::vector<GLuint> slotPixels;
   for (std::uint32_t p = 0; p < kPixels; ++p) {
-    slotPixels.push_back(kPixels - 1 - p);
     for (std::uint32_t k = 0; k < 2; ++k) {
       const vec3 throughput(unit(random), unit(random), unit(random));
       const shared::Hit hit{1 + unit(random), 0, 0.3f, 0.3f};
-      Shot shot{ray(slotPixels[p], {0, 1, 0}, {1, k == 0 ? -1 : 1, 0}, throughput), k == 0 ? hit : kMiss};
+      Shot shot{ray(kPixels - 1 - p, {0, 1, 0}, {1, k == 0 ? -1 : 1, 0}, throughput), k == 0 ? hit : kMiss};
       if (p % 5 == k) shot.hit = kOverflow;
       shot.queued.path.slot = 2 * p + k;
       shots[k].push_back(shot);
@@ -269,13 +261,13 @@ TEST_F(ReflectionShade, RaysOfOnePixelSumToTheSameBitsInAnyOrder) {
       if (slotsPerPixel == 1) paths.back().slot /= 2;
       found.push_back(shot.hit);
     }
-    emptySlots(slotPixels, slotsPerPixel);
+    makeSlots(kPixels * slotsPerPixel);
     const vec4 nothing(0);
     api.ClearTexImage(gbuffer.reflection.name(), 0, GL_RGBA, GL_FLOAT, &nothing);
     const RayQueue first = makeQueue(api, rays, paths);
     Hits hits;
     hits.hits = gl::makeBuffer(api, std::span<const shared::Hit>(found), "hits");
-    reflectionEffect.shade(view(), first, hits, nullptr, effectFrame_);
+    reflectionEffect.shade(view(), first, hits, 0, nullptr, effectFrame_);
     reflectionEffect.resolve(view(), first, effectFrame_, gbuffer, slotsPerPixel);
     return pixels(gbuffer.reflection);
   };

@@ -77,24 +77,20 @@ class ReflectionSpawn : public testing::ContextTest {
     result.paths = queue.paths.read<shared::RayPath>(result.count.count);
     result.contributions = frame.contributions.counts.read<GLuint>(CONTRIBUTION_CLASSES);
     for (const shared::RayPath& path : result.paths) result.pixels.push_back(path.pixel);
-    expectSlotsOfTheirOwn(result.paths, frame.radiance);
+    expectSlotsOfTheirOwn(result.paths, frame);
     std::sort(result.pixels.begin(), result.pixels.end());
     result.position = testing::readFloats(buffer.position, GL_RGBA, 4);
     EXPECT_EQ(std::set<std::uint32_t>(result.pixels.begin(), result.pixels.end()).size(), result.pixels.size());
     return result;
   }
 
-  // A slot per ray, empty, that leads to the ray's pixel.
-  static void expectSlotsOfTheirOwn(const std::vector<shared::RayPath>& paths, const RadianceSlots& radiance) {
-    const auto slots = radiance.slots.read<shared::Radiance>(paths.size());
-    const auto pixels = radiance.pixels.read<GLuint>(paths.size());
+  // A slot per ray, side by side.
+  static void expectSlotsOfTheirOwn(const std::vector<shared::RayPath>& paths, const EffectFrame& frame) {
+    EXPECT_GE(frame.slots.bytes(), paths.size() * sizeof(shared::Radiance));
     std::set<std::uint32_t> taken;
     for (const shared::RayPath& path : paths) {
       ASSERT_LT(path.slot, paths.size());
       EXPECT_TRUE(taken.insert(path.slot).second);
-      EXPECT_EQ(pixels[path.slot], path.pixel);
-      EXPECT_EQ(slots[path.slot].sum, glm::vec3(0));
-      EXPECT_EQ(slots[path.slot].answered, 0u);
     }
   }
 };

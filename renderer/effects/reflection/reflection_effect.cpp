@@ -23,10 +23,9 @@ void reserveQueue(const gl::Api& api, std::uint32_t rays, RayQueue& queue) {
 }
 
 void reserveFrame(const gl::Api& api, std::uint32_t rays, EffectFrame& frame) {
-  if (frame.radiance.slots.bytes() < rays * sizeof(shared::Radiance)) {
-    frame.radiance = RadianceSlots{};
-    frame.radiance.slots = gl::Buffer(api, rays * sizeof(shared::Radiance), "radiance slots");
-    frame.radiance.pixels = gl::Buffer(api, rays * sizeof(GLuint), "pixels of slots");
+  if (frame.slots.bytes() < rays * sizeof(shared::Radiance)) {
+    frame.slots = gl::Buffer();
+    frame.slots = gl::Buffer(api, rays * sizeof(shared::Radiance), "radiance slots");
   }
   if (!frame.contributions.counts)
     frame.contributions.counts = gl::Buffer(api, CONTRIBUTION_CLASSES * sizeof(GLuint), "pixels by contribution");
@@ -40,10 +39,11 @@ ReflectionEffect::ReflectionEffect(const gl::Api& api)
       count_(gl::Program::compute(api, "effects/ray_count.comp")),
       resolve_(gl::Program::compute(api, "effects/reflection/resolve.comp")) {}
 
-const gl::Program& ReflectionEffect::shading(bool surfaces, bool next) {
-  gl::Program& program = shade_[surfaces][next];
+const gl::Program& ReflectionEffect::shading(bool first, bool surfaces, bool next) {
+  gl::Program& program = shade_[first][surfaces][next];
   if (program) return program;
   std::vector<gl::Define> defines;
+  if (first) defines.push_back({"FIRST_GENERATION"});
   if (surfaces) defines.push_back({"HIT_SURFACES"});
   if (next) defines.push_back({"NEXT_BOUNCE"});
   program = gl::Program::compute(*api_, "effects/reflection/shade.comp", defines);
@@ -66,8 +66,6 @@ void ReflectionEffect::spawn(const FrameView& view, const GBuffer& gbuffer, int,
   out.paths.bindStorage(SSBO_PATHS);
   out.count.bindStorage(SSBO_RAY_COUNT);
   frame.contributions.counts.bindStorage(SSBO_CONTRIBUTIONS);
-  frame.radiance.slots.bindStorage(SSBO_SLOTS);
-  frame.radiance.pixels.bindStorage(SSBO_SLOT_PIXELS);
   gbuffer.shaded.bind(UNIT_SHADED);
   view.scene.sky.bind(UNIT_SKY);
   gbuffer.position.bind(UNIT_POSITION);
@@ -90,15 +88,15 @@ void ReflectionEffect::countRays(const RayQueue& queue) const {
   api_->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
 }
 
-void ReflectionEffect::shade(const FrameView& view, const RayQueue& rays, const Hits& hits, RayQueue* next,
-                             EffectFrame& frame) {
+void ReflectionEffect::shade(const FrameView& view, const RayQueue& rays, const Hits& hits, int generation,
+                             RayQueue* next, EffectFrame& frame) {
   const auto section = view.profiler.section("shade");
   if (next) {
     reserveQueue(*api_, rays.capacity, *next);                     // a hit sends on at most one ray
     next->count.fill(0, 0, offsetof(shared::RayCount, overflow));  // which counts for the whole frame
   }
 
-  shading(static_cast<bool>(hits.surfaces), next != nullptr).use();
+  shading(generation == 0, static_cast<bool>(hits.surfaces), next != nullptr).use();
   view.constants.bindUniform(UBO_FRAME);
   view.scene.bindSurfaces();
   view.shadows.bind();
@@ -107,7 +105,7 @@ void ReflectionEffect::shade(const FrameView& view, const RayQueue& rays, const 
   rays.count.bindStorage(SSBO_RAY_COUNT);
   hits.hits.bindStorage(SSBO_HITS);
   if (hits.surfaces) hits.surfaces.bindStorage(SSBO_HIT_SURFACES);
-  frame.radiance.slots.bindStorage(SSBO_SLOTS);
+  frame.slots.bindStorage(SSBO_SLOTS);
   if (next) {
     next->rays.bindStorage(SSBO_NEXT_RAYS);
     next->paths.bindStorage(SSBO_NEXT_PATHS);
@@ -130,8 +128,7 @@ void ReflectionEffect::resolve(const FrameView& view, const RayQueue& first, con
   resolve_.set("slotsPerPixel", slotsPerPixel);
   view.constants.bindUniform(UBO_FRAME);
   first.count.bindStorage(SSBO_RAY_COUNT);
-  frame.radiance.slots.bindStorage(SSBO_SLOTS);
-  frame.radiance.pixels.bindStorage(SSBO_SLOT_PIXELS);
+  frame.slots.bindStorage(SSBO_SLOTS);
   gbuffer.reflection.bindImage(IMAGE_REFLECTION, GL_WRITE_ONLY);
   api_->BindBuffer(GL_DISPATCH_INDIRECT_BUFFER, first.count.name());
   api_->DispatchComputeIndirect(0);

@@ -21,7 +21,7 @@ class ReflectionEffect final : public RayEffect {
   void spawn(const FrameView& view, const GBuffer& gbuffer, int batch, RayQueue& out, EffectFrame& frame) override;
   // Section "shade". A ray that was given up leaves its pixel to the blend's fallback, or ends its path if it is not
   // the first of it.
-  void shade(const FrameView& view, const RayQueue& rays, const Hits& hits, RayQueue* next,
+  void shade(const FrameView& view, const RayQueue& rays, const Hits& hits, int generation, RayQueue* next,
              EffectFrame& frame) override;
   // Section "shade": GBuffer::reflection, alpha 1 where a ray was answered.
   void resolve(const FrameView& view, const RayQueue& first, const EffectFrame& frame, GBuffer& gbuffer) override {
@@ -32,12 +32,12 @@ class ReflectionEffect final : public RayEffect {
                std::uint32_t slotsPerPixel);
 
  private:
-  const gl::Program& shading(bool surfaces, bool next);
+  const gl::Program& shading(bool first, bool surfaces, bool next);
   void countRays(const RayQueue& queue) const;
 
   const gl::Api* api_;
   gl::Program spawn_, count_, resolve_;
-  gl::Program shade_[2][2];  // made on first use: [with HitSurface][with a next bounce]
+  gl::Program shade_[2][2][2];  // made on first use: [first generation][with HitSurface][with a next one]
 };
 
 }  // namespace halfsilver

@@ -75,12 +75,6 @@ struct RayQueue {
   std::size_t bytes() const { return rays.bytes() + paths.bytes() + count.bytes(); }
 };
 
-// Light by slot. A ray names its slot, and no two rays of a dispatch share one, so sums depend on no order.
-struct RadianceSlots {
-  gl::Buffer slots;   // Radiance[capacity of the first queue]
-  gl::Buffer pixels;  // uint[]: the pixel of each group of slots, y * width + x
-};
-
 // Reflecting pixels (those that select.fraction keeps) by what their reflection contributes.
 struct Contributions {
   gl::Buffer counts;  // uint[CONTRIBUTION_CLASSES], see shared/structs.h
@@ -88,9 +82,11 @@ struct Contributions {
 
 // What an effect keeps for one frame.
 struct EffectFrame {
-  RadianceSlots radiance;
+  // Radiance[capacity of the first queue]: a ray names its slot, and no two rays of a dispatch share one, so sums
+  // depend on no order.
+  gl::Buffer slots;
   Contributions contributions;
-  std::size_t bytes() const { return radiance.slots.bytes() + radiance.pixels.bytes() + contributions.counts.bytes(); }
+  std::size_t bytes() const { return slots.bytes() + contributions.counts.bytes(); }
 };
 
 // One result per ray, in the order of the queue.

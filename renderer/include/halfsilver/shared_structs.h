@@ -76,7 +76,7 @@ HALFSILVER_AT(RayPath, kind, 24);
 static_assert(sizeof(RayPath) == 32);
 
 HALFSILVER_AT(Radiance, sum, 0);
-HALFSILVER_AT(Radiance, answered, 12);
+HALFSILVER_AT(Radiance, pixel, 12);
 static_assert(sizeof(Radiance) == 16);
 
 HALFSILVER_AT(RayCount, groupsX, 0);

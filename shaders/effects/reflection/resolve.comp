@@ -8,7 +8,6 @@ layout(local_size_x = 64) in;
 
 layout(std430, binding = SSBO_RAY_COUNT) readonly buffer RayCountBlock { RayCount rayCount; };
 layout(std430, binding = SSBO_SLOTS) readonly buffer SlotBlock { Radiance slots[]; };
-layout(std430, binding = SSBO_SLOT_PIXELS) readonly buffer SlotPixelBlock { uint slotPixels[]; };
 
 layout(binding = IMAGE_REFLECTION, rgba32f) uniform writeonly image2D reflection;
 
@@ -18,14 +17,15 @@ void main() {
   uint index = (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * gl_WorkGroupSize.x + gl_LocalInvocationID.x;
   if (index >= rayCount.count / slotsPerPixel) return;
   vec3 sum = vec3(0.0);
-  uint answered = 0u;
+  float answered = 0.0;
+  uint pixel = NO_PIXEL;
   for (uint i = 0u; i < slotsPerPixel; ++i) {
     Radiance slot = slots[index * slotsPerPixel + i];
-    if (slot.answered == 0u) continue;
+    if (slot.pixel == NO_PIXEL) continue;
+    pixel = slot.pixel;
     sum += slot.sum;
-    ++answered;
+    answered += 1.0;
   }
-  if (answered == 0u) return;
-  ivec2 pixel = ivec2(slotPixels[index] % frame.width, slotPixels[index] / frame.width);
-  imageStore(reflection, pixel, vec4(sum / float(answered), 1.0));
+  if (pixel == NO_PIXEL) return;
+  imageStore(reflection, ivec2(pixel % frame.width, pixel / frame.width), vec4(sum / answered, 1.0));
 }

@@ -66,13 +66,18 @@ void main() {
   Hit hit = hits[index];
   RayPath path = paths[index];
   vec3 direction = ray.direction;
+#ifdef FIRST_GENERATION
+  // A pixel whose ray was given up falls back to the sky in the blend; a longer path ends in the sky.
+  if (hit.triangle == NO_TRIANGLE && hit.t != HIT_MISS) {
+    slots[path.slot] = Radiance(vec3(0.0), NO_PIXEL);
+    return;
+  }
+  vec3 sum = vec3(0.0);
+#else
   vec3 sum = slots[path.slot].sum;
-
-  // Neither hit nor miss: a slot stays unanswered (the blend falls back to the sky), a longer path ends in the sky.
-  bool answered = hit.triangle != NO_TRIANGLE || hit.t == HIT_MISS;
-  if (!answered && slots[path.slot].answered == 0u) return;
+#endif
   if (hit.triangle == NO_TRIANGLE) {
-    slots[path.slot] = Radiance(sum + path.throughput * skyRadiance(direction, 0.0), 1u);
+    slots[path.slot] = Radiance(sum + path.throughput * skyRadiance(direction, 0.0), path.pixel);
     return;
   }
 
@@ -101,5 +106,5 @@ void main() {
 #endif
     if (!sentOn) radiance += share * sky;
   }
-  slots[path.slot] = Radiance(sum + path.throughput * radiance, 1u);
+  slots[path.slot] = Radiance(sum + path.throughput * radiance, path.pixel);
 }

@@ -10,8 +10,6 @@ layout(std430, binding = SSBO_RAYS) writeonly buffer RayBlock { Ray rays[]; };
 layout(std430, binding = SSBO_PATHS) writeonly buffer PathBlock { RayPath paths[]; };
 layout(std430, binding = SSBO_RAY_COUNT) buffer RayCountBlock { RayCount rayCount; };
 layout(std430, binding = SSBO_CONTRIBUTIONS) buffer ContributionBlock { uint contributions[CONTRIBUTION_CLASSES]; };
-layout(std430, binding = SSBO_SLOTS) writeonly buffer SlotBlock { Radiance slots[]; };
-layout(std430, binding = SSBO_SLOT_PIXELS) writeonly buffer SlotPixelBlock { uint slotPixels[]; };
 
 shared uint selectedMask[2];
 shared uint keptMask[2];
@@ -103,6 +101,4 @@ void main() {
   uint number = uint(pixel.y) * frame.width + uint(pixel.x);
   rays[index] = Ray(position.xyz, FAR_AWAY, direction, triangle);
   paths[index] = RayPath(vec3(1.0), length(fromEye), number, index, RAY_REFLECTION, 0u);
-  slots[index] = Radiance(vec3(0.0), 0u);
-  slotPixels[index] = number;
 }

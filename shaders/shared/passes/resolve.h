@@ -2,8 +2,7 @@
 #ifndef HALFSILVER_PASSES_RESOLVE_H
 #define HALFSILVER_PASSES_RESOLVE_H
 
-#define SSBO_SLOTS 10        // Radiance[]
-#define SSBO_SLOT_PIXELS 11  // uint[]: the pixel of each group of slots
+#define SSBO_SLOTS 10  // Radiance[]
 
 #define IMAGE_REFLECTION 0  // radiance carried by the traced rays; a: 1 where traced
 
