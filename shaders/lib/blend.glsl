@@ -11,13 +11,12 @@ struct Blend {
   vec3 sky;    // radiance of the sky in the reflected direction
 };
 
-Blend blendOf(ivec2 pixel) {
+// `position` and `normal` as the G-buffer has them.
+Blend blendOf(ivec2 pixel, vec4 position, vec3 normal) {
   vec4 shaded = texelFetch(gShaded, pixel, 0);
-  vec4 position = texelFetch(gPosition, pixel, 0);
   vec4 material = texelFetch(gMaterial, pixel, 0);
   bool unlit = material.a < 0.0;
   if (position.w <= 0.0 || unlit) return Blend(shaded.rgb, vec3(0.0), vec3(0.0));
-  vec3 normal = texelFetch(gNormal, pixel, 0).xyz;
   vec3 direction = normalize(position.xyz - frame.eye);
   float cosine = -dot(normal, direction);
   vec3 share = reflectionShare(material.rgb, material.a, cosine);

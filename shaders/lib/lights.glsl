@@ -33,10 +33,11 @@ float filteredShadow(vec3 place, float layer, vec2 gradient) {
   return lit / 16.0;
 }
 
+// Both take the light's first shadow layer, or NO_SHADOW.
+//
 // Orthographic maps: each tap is compared with the receiver's plane, so a flat surface never shadows itself and
 // nothing has to be moved.
-float directionalShadow(uint light, vec3 position, vec3 normal) {
-  int layer = lights[light].shadowLayer;
+float directionalShadow(uint light, int layer, vec3 position, vec3 normal) {
   if (layer < 0) return 1.0;
   mat4 m = lights[light].shadow[0];
   vec3 place = (m * vec4(position, 1.0)).xyz;
@@ -50,8 +51,7 @@ float directionalShadow(uint light, vec3 position, vec3 normal) {
 }
 
 // Perspective maps: the receiver is moved along its normal by as much as the filter's reach can rise above its plane.
-float positionalShadow(uint light, vec3 position, vec3 normal, vec3 toLight, float distanceToLight) {
-  int layer = lights[light].shadowLayer;
+float positionalShadow(uint light, int layer, vec3 position, vec3 normal, vec3 toLight, float distanceToLight) {
   if (layer < 0) return 1.0;
   float cosine = dot(normal, toLight);
   float reach = 2.5 * lights[light].shadowTexel * distanceToLight;
@@ -101,9 +101,10 @@ vec4 directLighting(Surface s, vec3 toEye) {
     vec3 lightDirection = lights[i].direction;
     uint type = lights[i].type;
     vec3 color = lights[i].color;
+    int layer = lights[i].shadowLayer;
     if (type == LIGHT_SKY) {
       float nl = -dot(s.normal, lightDirection);
-      if (lights[i].shadowLayer < 0) {
+      if (layer < 0) {
         vec3 irradiance = color * (0.5 + 0.5 * nl);
         steadyBounce += irradiance * lights[i].steadyShare;
         openBounce += irradiance * (1.0 - lights[i].steadyShare);
@@ -114,7 +115,7 @@ vec4 directLighting(Surface s, vec3 toEye) {
       if (nl <= 0.0) continue;
       facing += weight * nl;
       if (dot(s.geometricNormal, lightDirection) >= 0.0) continue;
-      float lit = directionalShadow(i, s.position, s.geometricNormal);
+      float lit = directionalShadow(i, layer, s.position, s.geometricNormal);
       seen += weight * nl * lit;
       skyIrradiance += color * (nl * lit);
       continue;
@@ -129,8 +130,8 @@ vec4 directLighting(Surface s, vec3 toEye) {
     }
     if (dot(s.normal, toLight) <= 0.0 || dot(s.geometricNormal, toLight) <= 0.0 || color == vec3(0.0)) continue;
     float lit = type == LIGHT_DIRECTIONAL
-                    ? directionalShadow(i, s.position, s.geometricNormal)
-                    : positionalShadow(i, s.position, s.geometricNormal, toLight, distanceToLight);
+                    ? directionalShadow(i, layer, s.position, s.geometricNormal)
+                    : positionalShadow(i, layer, s.position, s.geometricNormal, toLight, distanceToLight);
     if (lit > 0.0) radiance += color * lit * shadeLight(s, toEye, toLight);
   }
 

@@ -10,11 +10,9 @@ layout(location = 0) out vec4 color;
 
 // A pixel that reflects and was not traced takes the reflection of the traced ones around it, weighted by distance and
 // by how far their surfaces are alike: they reflect nearly the same. Alpha 0 if there are none.
-vec4 neighbors(ivec2 pixel) {
+vec4 neighbors(ivec2 pixel, vec4 position, vec3 normal) {
   const int REACH = 2;  // pixels: finds one if select.fraction is 1/16 or more
   const float ALIKE = 64.0;
-  vec4 position = texelFetch(gPosition, pixel, 0);
-  vec3 normal = texelFetch(gNormal, pixel, 0).xyz;
   float pixelWidth = position.w * frame.pixelCone;
   vec4 sum = vec4(0.0);
   for (int y = -REACH; y <= REACH; ++y)
@@ -32,10 +30,12 @@ vec4 neighbors(ivec2 pixel) {
 }
 
 vec3 blended(ivec2 pixel) {
-  Blend blend = blendOf(pixel);
+  vec4 position = texelFetch(gPosition, pixel, 0);
+  vec3 normal = texelFetch(gNormal, pixel, 0).xyz;
+  Blend blend = blendOf(pixel, position, normal);
   if (blend.share == vec3(0.0)) return blend.base;
   vec4 traced = texelFetch(gReflection, pixel, 0);
-  if (traced.a <= 0.0 && frame.fill == FILL_NEIGHBORS) traced = neighbors(pixel);
+  if (traced.a <= 0.0 && frame.fill == FILL_NEIGHBORS) traced = neighbors(pixel, position, normal);
   return blend.base + blend.share * (traced.a > 0.0 ? traced.rgb : blend.sky);
 }
 

@@ -39,8 +39,8 @@ float regionThreshold(ivec2 pixel) {
 }
 
 // What the reflection of something as bright as white adds to the displayed color: 0..1, the largest of its components.
-float contribution(ivec2 pixel) {
-  Blend blend = blendOf(pixel);
+float contribution(ivec2 pixel, vec4 position, vec3 normal) {
+  Blend blend = blendOf(pixel, position, normal);
   vec3 added = displayed(blend.base + blend.share / frame.exposure) - displayed(blend.base);
   return max(max(added.r, added.g), added.b);
 }
@@ -75,7 +75,7 @@ void main() {
   float scattered = scatteredThreshold(uvec2(pixel));
   float threshold = frame.selectPattern == PATTERN_REGION ? regionThreshold(pixel) : scattered;
   if (selected && threshold < frame.selectFraction) {
-    float worth = contribution(pixel) * exp2(-EQUAL_OCTAVES * scattered);
+    float worth = contribution(pixel, position, normal.xyz) * exp2(-EQUAL_OCTAVES * scattered);
     atomicAdd(contributions[contributionClass(worth)], 1u);
     kept = frame.minContribution <= 0.0 || worth > frame.minContribution;
   }
