@@ -196,8 +196,9 @@ std::string gnuplotScript(const ScatterGrid& grid, ChartFormat format) {
          << "set border 3\nset tics nomirror out\nset logscale xy 10\nset format \"%g\"\n";
   for (std::size_t index = 0; index < grid.panels.size(); ++index) {
     const ScatterPanel& panel = grid.panels[index];
-    const Plane plane(panel, kPanelWidth * static_cast<double>(index % grid.columns),
-                      header + kPanelHeight * static_cast<double>(index / grid.columns));
+    const std::size_t panelColumn = index % grid.columns, panelRow = index / grid.columns;
+    const Plane plane(panel, kPanelWidth * static_cast<double>(panelColumn),
+                      header + kPanelHeight * static_cast<double>(panelRow));
     script << "unset label\nunset arrow\nset title " << quoted(panel.title) << "\nset xlabel " << quoted(panel.xAxis)
            << "\nset ylabel " << quoted(panel.yAxis) << '\n'
            << plane.axes();
