@@ -13,7 +13,8 @@
 #define SSBO_COMPACTED_RUNS 9  // uint[]: where compaction moves runs to
 
 // Voxels along a side of a brick. A brick's state is the place of its run, or one of these.
-#define BRICK_SIDE 4
+#define BRICK_SHIFT 2
+#define BRICK_SIDE (1 << BRICK_SHIFT)
 #define BRICK_EMPTY 0xffffffffu      // no triangle touches it
 #define BRICK_MISSING 0xfffffffeu    // never asked for
 #define BRICK_CLAIMED 0xfffffffdu    // a ray is about to ask for it

@@ -1,7 +1,6 @@
 // Watertight ray/triangle test (Woop, Benthin & Wald 2013): the triangle is sheared into the ray's frame, where the
 // sign of an edge function is the same for both triangles of a shared edge, whatever the rounding. `precise` keeps the
 // compiler from fusing the two products of an edge function, which would break that symmetry.
-#include "lib/when.glsl"
 
 struct RayShear {
   int axis;      // of the direction's largest component
@@ -24,8 +23,15 @@ RayShear makeShear(vec3 direction) {
   return shear;
 }
 
-// tuv: distance in units of the direction's length, barycentric weights of b and c. back: seen from behind.
-bool intersectTriangle(RayShear shear, vec3 origin, vec3 a, vec3 b, vec3 c, out vec3 tuv, out bool back) {
+// Where a ray passes a triangle, in the ray's frame: the corners across and along the ray, and the edge functions
+// opposite to a, b and c.
+struct EdgeTest {
+  vec2 a, b, c;
+  vec3 depths;
+  vec3 edges;  // all of one sign, or zero, inside
+};
+
+EdgeTest testEdges(RayShear shear, vec3 origin, vec3 a, vec3 b, vec3 c) {
   precise vec3 pa = toShearAxes(a - origin, shear);
   precise vec3 pb = toShearAxes(b - origin, shear);
   precise vec3 pc = toShearAxes(c - origin, shear);
@@ -35,19 +41,32 @@ bool intersectTriangle(RayShear shear, vec3 origin, vec3 a, vec3 b, vec3 c, out 
   precise float u = qc.x * qb.y - qc.y * qb.x;
   precise float v = qa.x * qc.y - qa.y * qc.x;
   precise float w = qb.x * qa.y - qb.y * qa.x;
-  when (u == 0.0 || v == 0.0 || w == 0.0) {
-    // On an edge within float: decide in double, as both neighbors will.
-    u = float(double(qc.x) * double(qb.y) - double(qc.y) * double(qb.x));
-    v = float(double(qa.x) * double(qc.y) - double(qa.y) * double(qc.x));
-    w = float(double(qb.x) * double(qa.y) - double(qb.y) * double(qa.x));
-  }
-  tuv = vec3(0.0);
-  back = false;
-  if ((u < 0.0 || v < 0.0 || w < 0.0) && (u > 0.0 || v > 0.0 || w > 0.0)) return false;
-  precise float determinant = u + v + w;
-  if (determinant == 0.0) return false;
-  precise float t = (u * pa.z + v * pb.z + w * pc.z) * shear.scale.z;
-  tuv = vec3(t, v, w) / determinant;
-  back = determinant < 0.0;
-  return true;
+  return EdgeTest(qa, qb, qc, vec3(pa.z, pb.z, pc.z), vec3(u, v, w));
+}
+
+bool onEdge(EdgeTest test) { return any(equal(test.edges, vec3(0.0))); }
+
+// Decides in double what lies on an edge within float, as both triangles of the edge will.
+void decideEdges(inout EdgeTest test) {
+  test.edges.x = float(double(test.c.x) * double(test.b.y) - double(test.c.y) * double(test.b.x));
+  test.edges.y = float(double(test.a.x) * double(test.c.y) - double(test.a.y) * double(test.c.x));
+  test.edges.z = float(double(test.b.x) * double(test.a.y) - double(test.b.y) * double(test.a.x));
+}
+
+bool inside(EdgeTest test) {
+  vec3 e = test.edges;
+  return min(e.x, min(e.y, e.z)) >= 0.0 || max(e.x, max(e.y, e.z)) <= 0.0;
+}
+
+// Twice the area that the ray sees; negative from behind.
+float determinantOf(EdgeTest test) {
+  precise float sum = test.edges.x + test.edges.y + test.edges.z;
+  return sum;
+}
+
+// In units of the direction's length.
+float distanceOf(EdgeTest test, RayShear shear, float determinant) {
+  precise float t = (test.edges.x * test.depths.x + test.edges.y * test.depths.y + test.edges.z * test.depths.z) *
+                    shear.scale.z;
+  return t / determinant;
 }

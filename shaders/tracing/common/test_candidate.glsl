@@ -1,25 +1,41 @@
 // The exact test of one triangle: nearest hits win, equal distances go to the lower number, so that the order of tests
 // has no say. Backs of single-sided materials and holes are passed through.
+//
+// It comes in two parts. Software rasterizers run the body of every `if` under a mask, so what few candidates need
+// (doubles, materials, textures) costs all of them; a search asks mayHit() in its inner loop and testCandidate() behind
+// it.
 #include "lib/alpha.glsl"
 #include "lib/scene.glsl"
 #include "lib/triangles.glsl"
-#include "lib/when.glsl"
 #include "shared/rays.h"
 #include "shared/structs.h"
 #include "tracing/common/ray_triangle.glsl"
 #include "tracing/common/walk.glsl"
 
-void testCandidate(TraceRay ray, uint triangle, inout Hit best) {
+EdgeTest testEdges(TraceRay ray, uint triangle) {
   vec3 a, b, c;
   trianglePositions(triangle, a, b, c);
-  vec3 tuv;
-  bool back;
-  bool met = intersectTriangle(ray.shear, ray.origin, a, b, c, tuv, back);
-  bool nearer = tuv.x >= ray.least && (tuv.x < best.t || (tuv.x == best.t && triangle < best.triangle));
-  when (met && nearer && triangle != ray.excluded) {
-    uint material = triangleAt(triangle).w;
-    bool visible = !back || doubleSided(material);
-    when (visible && (materials[material].flags & MATERIAL_CUT) != 0u) visible = !cutAway(triangle, tuv.yz);
-    if (visible) best = Hit(tuv.x, triangle, tuv.y, tuv.z);
-  }
+  return testEdges(ray.shear, ray.origin, a, b, c);
+}
+
+// Whether testCandidate() may find a hit no farther than `nearest`: true for all that do, and for few that do not.
+bool mayHit(TraceRay ray, uint triangle, float nearest) {
+  EdgeTest test = testEdges(ray, triangle);
+  float t = distanceOf(test, ray.shear, determinantOf(test));
+  bool met = inside(test) && t >= ray.least && t <= nearest;
+  return (met || onEdge(test)) && triangle != ray.excluded;
+}
+
+void testCandidate(TraceRay ray, uint triangle, inout Hit best) {
+  EdgeTest test = testEdges(ray, triangle);
+  if (onEdge(test)) decideEdges(test);
+  float determinant = determinantOf(test);
+  float t = distanceOf(test, ray.shear, determinant);
+  bool nearer = t >= ray.least && (t < best.t || (t == best.t && triangle < best.triangle));
+  if (!inside(test) || determinant == 0.0 || !nearer || triangle == ray.excluded) return;
+  uint material = triangleAt(triangle).w;
+  if (determinant < 0.0 && !doubleSided(material)) return;
+  vec2 barycentrics = test.edges.yz / determinant;
+  if ((materials[material].flags & MATERIAL_CUT) != 0u && cutAway(triangle, barycentrics)) return;
+  best = Hit(t, triangle, barycentrics.x, barycentrics.y);
 }

@@ -50,36 +50,6 @@ bool stepVoxelWalk(TraceRay ray, inout VoxelWalk walk) {
   return walk.voxel[axis] >= 0 && walk.voxel[axis] < voxelCount[axis];
 }
 
-// A cube of voxels that the ray goes through in one step; `size` divides the grid. Its boundaries are the outermost
-// voxels' to the bit if `size` is a power of two.
-struct Cell {
-  ivec3 low;
-  int size;
-  vec3 boundary;  // parameter of the boundary ahead, per axis
-};
-
-Cell cellAround(TraceRay ray, ivec3 voxel, int size) {
-  Cell cell;
-  ivec3 number = voxel / size;
-  cell.low = number * size;
-  cell.size = size;
-  for (int i = 0; i < 3; ++i)
-    cell.boundary[i] =
-        boundaryAhead(ray.gridOrigin[i], ray.gridDirection[i], number[i], float(voxelCount[i]) / float(size));
-  return cell;
-}
-
-float cellExit(Cell cell) { return min(cell.boundary.x, min(cell.boundary.y, cell.boundary.z)); }
-
-// On to the voxel behind the cell; false when the ray leaves the grid.
-bool leaveCell(TraceRay ray, Cell cell, inout ivec3 voxel) {
-  vec3 ahead = cell.boundary;
-  int axis = ahead.x <= ahead.y && ahead.x <= ahead.z ? 0 : (ahead.y <= ahead.z ? 1 : 2);
-  voxel = clamp(voxelAt(ray, ahead[axis]), cell.low, cell.low + cell.size - 1);
-  voxel[axis] = ray.gridDirection[axis] > 0.0 ? cell.low[axis] + cell.size : cell.low[axis] - 1;
-  return voxel[axis] >= 0 && voxel[axis] < voxelCount[axis];
-}
-
 struct TexelWalk {
   ivec2 texel;
   vec2 boundary;

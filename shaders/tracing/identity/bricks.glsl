@@ -12,17 +12,17 @@
 layout(std430, binding = SSBO_BRICKS) coherent buffer BrickBlock { uint bricks[]; };
 layout(std430, binding = SSBO_RUNS) RUN_ACCESS buffer RunBlock { uint runs[]; };
 
-ivec3 brickOf(ivec3 voxel) { return voxel / BRICK_SIDE; }
+ivec3 brickOf(ivec3 voxel) { return voxel >> BRICK_SHIFT; }
 
 uint brickIndex(ivec3 brick) {
-  ivec3 count = voxelCount / BRICK_SIDE;
+  ivec3 count = voxelCount >> BRICK_SHIFT;
   return uint(brick.x + count.x * (brick.y + count.y * brick.z));
 }
 
 // A voxel's number in its brick.
 uint voxelInBrick(ivec3 voxel) {
-  ivec3 v = voxel % BRICK_SIDE;
-  return uint(v.x + BRICK_SIDE * (v.y + BRICK_SIDE * v.z));
+  ivec3 v = voxel & (BRICK_SIDE - 1);
+  return uint(v.x | v.y << BRICK_SHIFT | v.z << (2 * BRICK_SHIFT));
 }
 
 bool present(uint state) { return state < BRICK_REQUESTED; }

@@ -3,7 +3,6 @@
 //
 // Bricks are built on demand. A ray that comes to a brick that is missing requests it, and the next few on its way, and
 // waits for the next dispatch.
-#include "lib/when.glsl"
 #include "shared/passes/identity.h"
 #include "shared/rays.h"
 #include "tracing/common/test_candidate.glsl"
@@ -11,6 +10,7 @@
 #include "tracing/common/walk.glsl"
 #include "tracing/identity/brick_work.glsl"
 #include "tracing/identity/bricks.glsl"
+#include "tracing/identity/voxel_walk.glsl"
 
 // Triangles that reach beyond the grid; every ray tests them.
 layout(std430, binding = SSBO_OUTER) readonly buffer OuterBlock {
@@ -26,86 +26,93 @@ void requestBrick(uint brick) {
   bricks[brick] = number < maxRequests ? BRICK_REQUESTED + number : BRICK_MISSING;
 }
 
-void requestAhead(TraceRay ray, ivec3 voxel, float end) {
+// The brick that a ray waits for, and the next ones on its way.
+void requestAhead(VoxelRay v, ivec3 voxel, float end) {
   int left = lookAhead;
   bool going = true;
   while (going) {
     uint brick = brickIndex(brickOf(voxel)), state = bricks[brick];
     if (state != BRICK_EMPTY) --left;
-    when (state == BRICK_MISSING) requestBrick(brick);
-    Cell cell = cellAround(ray, voxel, BRICK_SIDE);
-    going = left > 0 && cellExit(cell) < end && leaveCell(ray, cell, voxel);
+    if (state == BRICK_MISSING) requestBrick(brick);
+    Cube cube = brickCube(v, voxel);
+    voxel = voxelBehind(v, cube);
+    going = left > 0 && exitOf(cube) < end && inGrid(voxel);
   }
 }
 
 // False if the ray is not through; `pause` then says how to go on.
+//
+// The inner loop walks and tests in floats; a lane whose candidate may be a hit, that has done its work or that has come
+// to a missing brick leaves it, and is dealt with behind it. Software rasterizers skip nothing else than what stands
+// behind a loop that has ended.
 bool march(TraceRay ray, float end, inout PausedRay pause, inout Hit best) {
-  int work = 0;
-  uint done = pause.tested;
-  float t = pause.t;
   for (uint i = 0u; i < outerCount; ++i) testCandidate(ray, outer[i], best);
   end = min(end, best.t);
   if (pause.bestTriangle > 0u) testCandidate(ray, pause.bestTriangle - 1u, best);
-  bool yielded = false;
-  uvec2 list = uvec2(0u);  // what is left of the voxel's candidates
-  uint first = 0u;         // where they begin
-  ivec3 voxel = voxelAt(ray, t);
-  Cell cell = Cell(voxel, 1, vec3(0.0));  // the voxel, or the whole brick if that is empty
-  float exit = t;
-  bool going = t <= end || done > 0u, entered = false;  // a voxel that was begun is done to its end
+
+  VoxelRay v = makeVoxelRay(ray);
+  float t = pause.t, exit = t;
+  uint tested = pause.tested;
+  ivec3 voxel = clamp(voxelAt(v, t), ivec3(0), voxelCount - 1);
+  Cube cube = Cube(voxel, 1, vec3(0.0));  // the voxel, or the whole brick if that is empty
+  uvec2 list = uvec2(0u);                 // what is left of the voxel's candidates
+  uint first = 0u;                        // where they begin
+  uint candidate = NO_TRIANGLE;           // that may be a hit
+  int work = 0;
+  bool going = t <= end || tested > 0u;  // a voxel that was begun is done to its end
+  bool entered = false, missing = false, yielded = false;
   while (going) {
-    // On to the next candidate. Walking and testing take turns, so that rays beside each other stay busy.
-    while (going && list.x == list.y) {
-      if (entered) {
-        // A hit behind this voxel may still be beaten by a triangle of the voxels before it.
-        going = best.t > exit && exit < end && leaveCell(ray, cell, voxel);
-        if (going) {
-          pause.bestTriangle = 0u;
-          pause.tested = 0u;
+    while (going && candidate == NO_TRIANGLE && work < workLimit) {
+      if (list.x == list.y) {
+        if (entered) {
+          // A hit behind this voxel may still be beaten by a triangle of the voxels before it.
+          going = best.t > exit && exit < end;
+          voxel = voxelBehind(v, cube);
+          going = going && inGrid(voxel);
           t = exit;
-          when (++work >= workLimit) yielded = voxelAt(ray, t) == voxel;  // or the next one's stretch is too short, too
-          going = !yielded;
         }
-      }
-      entered = true;
-      if (going) {
-        uint run = bricks[brickIndex(brickOf(voxel))];
-        cell = cellAround(ray, voxel, run == BRICK_EMPTY ? BRICK_SIDE : 1);
-        exit = max(t, min(cellExit(cell), end));
-        if (present(run)) {
-          list = listOf(run, voxel);
+        entered = true;
+        if (going) {
+          uint run = bricks[brickIndex(brickOf(voxel))];
+          if (run == BRICK_EMPTY)
+            cube = brickCube(v, voxel);
+          else
+            cube = makeCube(v, voxel, 1);
+          exit = max(t, min(exitOf(cube), end));
+          list = present(run) ? listOf(run, voxel) : uvec2(0u);
           first = list.x;
-          list.x += done;
-          done = 0u;
-        }
-        when (!present(run) && run != BRICK_EMPTY) {
-          if (lastDispatch == 0) requestAhead(ray, voxel, end);
-          yielded = true;
-          going = false;
+          list.x += tested;
+          tested = 0u;
+          missing = !present(run) && run != BRICK_EMPTY;
+          going = !missing;
         }
       }
+      if (going && list.x != list.y) {
+        uint triangle = runs[list.x];
+        if (mayHit(ray, triangle, best.t)) candidate = triangle;
+        ++list.x;
+      }
+      ++work;
     }
-    if (going && list.x != list.y) {
-      testCandidate(ray, runs[list.x], best);
-      ++list.x;
-      when (++work >= workLimit && list.x != list.y) {
-        // From the middle of the voxel's stretch the walk starts in this voxel again, but for the shortest ones: there
-        // is no telling where rounding puts them.
-        float middle = 0.5 * (t + exit);
-        if (voxelAt(ray, middle) == voxel) {
-          t = middle;
-          pause.bestTriangle = best.t < farAway ? best.triangle + 1u : 0u;
-          pause.tested = list.x - first;
-          yielded = true;
-          going = false;
-        } else {
-          list.x = list.y;  // too short a stretch to come back to; its neighbors' lists reach over it
-        }
+    if (candidate != NO_TRIANGLE) testCandidate(ray, candidate, best);
+    candidate = NO_TRIANGLE;
+    if (going && work >= workLimit) {
+      // From the middle of its stretch the walk begins in this cube again, but for the shortest stretches: there is no
+      // telling where rounding puts them. Those are done first.
+      float middle = 0.5 * (t + exit);
+      yielded = contains(cube, voxelAt(v, middle));
+      if (yielded) {
+        t = middle;
+        tested = list.x - first;
+        going = false;
+      } else {
+        --work;
       }
     }
   }
-  pause.t = t;
-  return !(yielded || going);
+  if (missing && lastDispatch == 0) requestAhead(v, voxel, end);
+  pause = PausedRay(t, best.t < farAway ? best.triangle + 1u : 0u, tested, 0u);
+  return !(missing || yielded || going);
 }
 
 void storeSurface(uint index, Hit hit) {}

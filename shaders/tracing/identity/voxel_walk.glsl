@@ -1,0 +1,53 @@
+// The identity method's walk, in units of voxels and without divisions: a ray crosses plane x of an axis at
+// x * inverse + offset. Steps go through cubes of voxels, single ones or whole bricks.
+#include "shared/passes/identity.h"
+#include "tracing/common/grid.glsl"
+#include "tracing/common/walk.glsl"
+#include "tracing/identity/bricks.glsl"
+
+struct VoxelRay {
+  vec3 origin, direction;
+  vec3 inverse, offset;
+  ivec3 ahead;  // 1 if the ray meets the upper boundaries of an axis, 0 the lower ones
+};
+
+VoxelRay makeVoxelRay(TraceRay ray) {
+  VoxelRay v;
+  v.origin = ray.gridOrigin * vec3(voxelCount);
+  v.direction = ray.gridDirection * vec3(voxelCount);
+  // An axis along which the ray stays in its voxel is never crossed; smaller directions have no finite inverse.
+  bvec3 still = lessThan(abs(v.direction), vec3(1e-30));
+  v.inverse = mix(1.0 / v.direction, vec3(0.0), still);
+  v.offset = mix(-v.origin * v.inverse, vec3(farAway), still);
+  v.ahead = ivec3(greaterThan(v.direction, vec3(0.0)));
+  return v;
+}
+
+ivec3 voxelAt(VoxelRay v, float t) { return ivec3(floor(v.origin + v.direction * t)); }
+
+bool inGrid(ivec3 voxel) { return all(lessThan(uvec3(voxel), uvec3(voxelCount))); }
+
+struct Cube {
+  ivec3 low;
+  int side;        // voxels
+  vec3 crossings;  // of the boundaries ahead, per axis
+};
+
+Cube makeCube(VoxelRay v, ivec3 low, int side) {
+  return Cube(low, side, vec3(low + v.ahead * side) * v.inverse + v.offset);
+}
+
+// The brick around a voxel.
+Cube brickCube(VoxelRay v, ivec3 voxel) { return makeCube(v, brickOf(voxel) << BRICK_SHIFT, BRICK_SIDE); }
+
+float exitOf(Cube cube) { return min(cube.crossings.x, min(cube.crossings.y, cube.crossings.z)); }
+
+bool contains(Cube cube, ivec3 voxel) { return all(lessThan(uvec3(voxel - cube.low), uvec3(cube.side))); }
+
+// The first voxel behind the cube, which may be outside the grid.
+ivec3 voxelBehind(VoxelRay v, Cube cube) {
+  vec3 c = cube.crossings;
+  bool x = c.x <= c.y && c.x <= c.z, y = !x && c.y <= c.z;
+  ivec3 last = clamp(voxelAt(v, exitOf(cube)), cube.low, cube.low + (cube.side - 1));
+  return mix(last, cube.low + v.ahead * (cube.side + 1) - 1, bvec3(x, y, !x && !y));
+}
