@@ -19,7 +19,8 @@ endforeach()
 install(DIRECTORY renderer/include/halfsilver/ DESTINATION ${header_folder} COMPONENT renderer
         FILES_MATCHING PATTERN "*.h"
         PATTERN builtin.h EXCLUDE PATTERN io.h EXCLUDE PATTERN context.h EXCLUDE PATTERN exact.h EXCLUDE)
-install(DIRECTORY shaders/shared DESTINATION ${header_folder} COMPONENT renderer FILES_MATCHING PATTERN "*.h")
+install(FILES shaders/shared/bindings.h shaders/shared/rays.h shaders/shared/structs.h DESTINATION ${header_folder}/shared
+        COMPONENT renderer)
 foreach(name IN ITEMS builtin io context exact)
   if(TARGET halfsilver_${name})
     install(FILES renderer/include/halfsilver/${name}.h DESTINATION ${header_folder} COMPONENT ${name})
