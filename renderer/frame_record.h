@@ -23,7 +23,6 @@ struct Frame {
   EffectFrame effect;
   std::array<RayQueue, 3> queues;
   std::array<Hits, 2> hits;
-  bool traced = false;  // whether there is a tracer
 
   std::size_t bytes() const;
 };
