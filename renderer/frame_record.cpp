@@ -44,7 +44,7 @@ void FrameRecord::end(const Frame& frame, const Tracer* tracer, std::size_t peak
 }
 
 FrameReport FrameRecord::report() {
-  if (std::exchange(reported_, true)) return known_;
+  if (reported_) return known_;
   if (!readback_.ready()) readback_.wait();
   for (const gl::SectionTime& time : profiler_.collect()) known_.times.push_back({time.name, time.milliseconds});
   for (const auto& slice : rayCounts_) known_.overflow += readback_.values(slice)[0].overflow;
@@ -70,6 +70,7 @@ FrameReport FrameRecord::report() {
   memory.structureTotal = memory_.structureTotal;
   memory.peak += memory_.structureTotal + memory_.transient;
   known_.lostFragments = memory_.lostFragments;
+  reported_ = true;
   return known_;
 }
 

@@ -63,11 +63,11 @@ struct Renderer::Impl {
   std::optional<std::size_t> shown;     // the frame that finished last, until another one takes its memory
   std::optional<std::size_t> reported;  // the record of the frame that finished last
   std::deque<std::size_t> unreported;   // records of finished frames, the oldest first
-  std::size_t nextRecord = 0;
 
   FrameView viewOf(Frame& frame, gl::Profiler& profiler) const {
     return {scene, shadows, frame.constants, frame.host, profiler};
   }
+  std::size_t takeRecord();
   void useTracer(const Settings& wanted);
   void drawShadows(const Settings& wanted, gl::Profiler& profiler);
   void reserveHits(const RayQueue& rays, Hits& hits) const;
@@ -75,8 +75,23 @@ struct Renderer::Impl {
   void finishBatch(const FrameView& view, Frame& frame);
   void begin(const Camera& camera, const Settings& wanted, int width, int height);
   void finish(const Target& target);
+  void noteChange(const SceneChange& changed);
   void upload(const Scene& wanted, const SceneChange& changed);
 };
+
+// A record that neither a frame under way nor report() needs; if need be, the one that arrivedReport() missed longest.
+std::size_t Renderer::Impl::takeRecord() {
+  const auto needed = [this](std::size_t record) {
+    return reported == record ||
+           std::any_of(underWay.begin(), underWay.end(), [record](const Work& work) { return work.record == record; });
+  };
+  for (std::size_t record = 0; record < kRecords; ++record)
+    if (!needed(record) && std::find(unreported.begin(), unreported.end(), record) == unreported.end()) return record;
+  const auto oldest = std::find_if_not(unreported.begin(), unreported.end(), needed);
+  const std::size_t record = *oldest;
+  unreported.erase(oldest);
+  return record;
+}
 
 void Renderer::Impl::useTracer(const Settings& wanted) {
   if (tracerSettings && sameTracer(api, *tracerSettings, wanted, methods)) {
@@ -141,8 +156,7 @@ void Renderer::Impl::begin(const Camera& camera, const Settings& wanted, int wid
     throw Error(ErrorKind::usage, "a picture of " + std::to_string(width) + " x " + std::to_string(height) +
                                       " is beyond the device's limits (1 to " +
                                       std::to_string(api.limits.framebufferSize) + ")");
-  const Work work{underWay.empty() ? 0 : 1 - underWay.front().frame, nextRecord};
-  std::erase(unreported, work.record);
+  const Work work{underWay.empty() ? 0 : 1 - underWay.front().frame, takeRecord()};
   Frame& frame = frames[work.frame];
   FrameRecord& record = records[work.record];
   record.begin();
@@ -164,13 +178,12 @@ void Renderer::Impl::begin(const Camera& camera, const Settings& wanted, int wid
     for (RayQueue& queue : frame.queues)
       if (queue.count) queue.count.fill(0);  // overflow adds up over the generations that share a queue
     tracer->update(view, change);
-    change = {};
     submitBatch(view, frame, 0);
   } else {
     frame.queues[0] = RayQueue();  // no memory for rays that nobody traces
     frame.hits[0] = Hits();
   }
-  nextRecord = (nextRecord + 1) % kRecords;
+  change = {};
   underWay.push_back(work);
 }
 
@@ -207,12 +220,22 @@ void Renderer::Impl::finish(const Target& target) {
   unreported.push_back(work.record);
 }
 
+void Renderer::Impl::noteChange(const SceneChange& changed) {
+  change.add(changed);
+  shadowSettings.reset();
+  shown.reset();  // its layers would show the changed scene
+}
+
 void Renderer::Impl::upload(const Scene& wanted, const SceneChange& changed) {
-  updateScene(api, scene, wanted, changed);
+  try {
+    updateScene(api, scene, wanted, changed);
+  } catch (...) {
+    noteChange(changed);  // some of it may have been written
+    throw;
+  }
   if (changed.lights) lights = wanted.lights;
   if (changed.sky) sky = wanted.sky;
-  if (changed.any()) shadowSettings.reset();
-  change.add(changed);
+  noteChange(changed);
 }
 
 Renderer::Renderer(const std::function<Proc(const char*)>& getProcAddress, TracerFactory exact)
@@ -287,7 +310,7 @@ FrameReport Renderer::report() {
   Impl& r = *impl_;
   if (!r.reported) throw Error(ErrorKind::usage, "report() needs a finished frame: call render() first");
   const gl::StateGuard guard(r.api);
-  std::erase(r.unreported, *r.reported);
+  r.unreported.clear();  // arrivedReport() does not go back
   return r.records[*r.reported].report();
 }
 
@@ -310,7 +333,9 @@ std::vector<std::string> Renderer::reloadShaders() {
 
 Image Renderer::readLayers() const {
   Impl& r = *impl_;
-  if (!r.shown) throw Error(ErrorKind::usage, "readLayers() needs a finished frame whose memory no begin() has taken");
+  if (!r.shown)
+    throw Error(ErrorKind::usage,
+                "readLayers() needs a finished frame of the present scene whose memory no begin() has taken");
   const gl::StateGuard guard(r.api);
   Frame& frame = r.frames[*r.shown];
   const gl::Texture linear(r.api, {.format = GL_RGBA32F, .width = frame.gbuffer.width, .height = frame.gbuffer.height},

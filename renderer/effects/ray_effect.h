@@ -22,7 +22,7 @@ class RayEffect {
   // How many times hits may send on rays, the first rays included: at least 1.
   virtual int generations(const Settings& settings) const = 0;
 
-  // Fills the queue with a batch of first rays, with their count and dispatch. The G-buffer is
+  // Fills the queue with a batch of first rays, their count and the size of their dispatch. The G-buffer is
   // shaded. Allocates what is too small.
   virtual void spawn(const FrameView& view, const GBuffer& gbuffer, int batch, RayQueue& out, EffectFrame& frame) = 0;
 

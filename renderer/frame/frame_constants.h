@@ -16,7 +16,7 @@ namespace halfsilver {
 shared::FrameConstants makeFrameConstants(const Camera& camera, const Bounds& bounds, const Sky& sky,
                                           const Settings& settings, int width, int height, std::uint32_t lightCount);
 
-// Hits nearer than this are ignored by every method: 1e-5 of the diagonal of the bounds. Metres.
+// Hits nearer than this are ignored by every method: 1e-5 of the diagonal of the bounds. Meters.
 float smallestHitDistance(const Bounds& bounds);
 
 }  // namespace halfsilver

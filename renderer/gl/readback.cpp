@@ -33,6 +33,7 @@ bool Fence::signaled() const {
 }
 
 void Fence::wait() const {
+  if (!sync_) throw Error(ErrorKind::failed, "a read-back is waited for that was never submitted");
   ++*api_->hostWaits;
   GLenum status = GL_TIMEOUT_EXPIRED;
   while (status == GL_TIMEOUT_EXPIRED) status = api_->ClientWaitSync(sync_, 0, kWaitNanoseconds);
@@ -42,11 +43,16 @@ void Fence::wait() const {
 Readback::Place Readback::copyBytes(const Buffer& source, std::size_t offset, std::size_t bytes) {
   if (bytes == 0) return {0, 0};
   while (block_ < blocks_.size() && used_ + bytes > blocks_[block_].buffer.bytes()) {
-    ++block_;
+    // A block that is too small for this even when empty makes room for a larger one: requests that grow from frame to
+    // frame do not pile up.
+    if (used_ == 0)
+      blocks_.erase(blocks_.begin() + static_cast<std::ptrdiff_t>(block_));
+    else
+      ++block_;
     used_ = 0;
   }
   if (block_ == blocks_.size()) {
-    Block block{Buffer(*api_, std::max(bytes, kBlockBytes), "read-back", BufferUse::readback)};
+    Block block{Buffer(*api_, std::max(bytes + bytes / 2, kBlockBytes), "read-back", BufferUse::readback)};
     block.memory = static_cast<const std::byte*>(
         api_->MapNamedBufferRange(block.buffer.name(), 0, static_cast<GLsizeiptr>(block.buffer.bytes()),
                                   GL_MAP_READ_BIT | GL_MAP_PERSISTENT_BIT | GL_MAP_COHERENT_BIT));
@@ -58,6 +64,12 @@ Readback::Place Readback::copyBytes(const Buffer& source, std::size_t offset, st
                                static_cast<GLintptr>(used_), static_cast<GLsizeiptr>(bytes));
   used_ += (bytes + kAlignment - 1) / kAlignment * kAlignment;
   return place;
+}
+
+std::size_t Readback::bytes() const {
+  std::size_t sum = 0;
+  for (const Block& block : blocks_) sum += block.buffer.bytes();
+  return sum;
 }
 
 void Readback::submit() { fence_ = Fence(*api_); }

@@ -15,7 +15,7 @@ using glm::mat4;
 using glm::vec3;
 using glm::vec4;
 
-// The sky's light is smooth: a sixteenth of a layer a direction, but not less than this many texels a side.
+// The sky's light is smooth: a sixteenth of a layer per direction, but at least this many texels along a side.
 constexpr int kSkyTiles = 4;
 constexpr int kMinTile = 64;
 // Texels around a fitted view that the filter may reach.
@@ -52,7 +52,7 @@ mat4 clipToMap(const glm::ivec4& rectangle, int resolution) {
 
 struct Fit {
   mat4 worldToClip{1};
-  float texel = 0;  // metres
+  float texel = 0;  // meters
 };
 
 // The smallest orthographic view of the bounds along a direction, among those that lie along one of the axes.
@@ -107,7 +107,7 @@ int layersOf(LightType type) { return type == LightType::point ? 6 : 1; }
 struct Shares {
   int lightLayers = 0;
   std::size_t shadowed = 0;
-  int tile = 0;  // texels a side
+  int tile = 0;  // texels along a side
   int tilesPerLayer = 1;
   int directions = 0;
 };

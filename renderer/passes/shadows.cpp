@@ -51,7 +51,7 @@ std::vector<std::string> ShadowPass::run(const GpuScene& scene, std::span<const 
   LightList list = makeLightList(scene.bounds, lights, sky, limits);
   if (limits.resolution < settings.shadow.resolution)
     list.warnings.push_back("shadow maps: the device draws at most " + std::to_string(limits.resolution) +
-                            " texels a side");
+                            " texels along a side");
 
   out.lights = gl::makeBuffer<shared::GpuLight>(*api_, list.lights, "lights");
   out.lightCount = static_cast<std::uint32_t>(list.lights.size());

@@ -11,7 +11,7 @@ namespace halfsilver {
 // The space of the voxel grid and the A-buffers: the scene's bounds, padded, as a unit cube.
 struct Grid {
   glm::vec3 low{0};     // relative to Scene::origin
-  glm::vec3 extent{1};  // metres
+  glm::vec3 extent{1};  // meters
   glm::ivec3 voxels{1};
   int texels = 1;  // of the A-buffers, along each axis, if they have a raster of their own
 

@@ -26,7 +26,7 @@ void coneFootprint(vec3 normal, vec3 direction, float width, out vec3 major, out
   minor = across * (width / max(length(across - dot(direction, across) * direction), 1e-4 * length(across)));
 }
 
-// direction: unit, travelling towards the surface. coneWidth: diameter of the ray's cone at the surface, metres.
+// direction: unit, travelling towards the surface. coneWidth: diameter of the ray's cone at the surface, meters.
 Surface evaluateSurface(uint triangle, vec2 barycentrics, vec3 direction, float coneWidth) {
   uvec4 corners = triangles[triangle];
   vec3 a, b, c;

@@ -9,8 +9,8 @@
 
 // One ray as a tracer sees it.
 struct Ray {
-  vec3 origin;        // relative to Scene::origin, metres
-  float maxDistance;  // hits beyond are misses, metres; FAR_AWAY: none is too far
+  vec3 origin;        // relative to Scene::origin, meters
+  float maxDistance;  // hits beyond are misses, meters; FAR_AWAY: none is too far
   vec3 direction;     // unit
   uint excluded;      // triangle that the ray starts on, or NO_TRIANGLE
 };
@@ -19,7 +19,7 @@ struct Ray {
 // What an effect knows of the same ray, at the same index.
 struct RayPath {
   vec3 throughput;
-  float pathLength;  // from the eye to the origin, metres (for texture footprints)
+  float pathLength;  // from the eye to the origin, meters (for texture footprints)
   uint pixel;        // y * width + x, row 0 at the bottom
   uint slot;         // where its light is summed; no two rays of a dispatch share one
   uint kind;         // RAY_...
@@ -46,7 +46,7 @@ struct RayCount {
   uint padding;
 };
 
-// Result of one ray (16 bytes). t in metres along the unit direction; triangle is NO_TRIANGLE unless it hit.
+// Result of one ray (16 bytes). t in meters along the unit direction; triangle is NO_TRIANGLE unless it hit.
 struct Hit {
   float t;
   uint triangle;
@@ -56,7 +56,7 @@ struct Hit {
 
 // A ray that waits for the next dispatch, at the ray's index; Hit::triangle is then UNFINISHED_TRIANGLE.
 struct PausedRay {
-  float t;            // where to go on, metres
+  float t;            // where to go on, meters
   uint bestTriangle;  // nearest so far + 1, or 0
   uint tested;        // candidates of the voxel at t that are done
   uint incomplete;    // 1 if the ray came by something that is missing from the structure

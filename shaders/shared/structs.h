@@ -1,5 +1,5 @@
 // Structs that C++ writes and GLSL reads (or the other way round). A vec3 is followed by a scalar, vec2s come in pairs
-// and whole rows of 16 bytes are filled, so that std140, std430 and C++ agree; frame/shared_structs.h asserts every
+// and whole rows of 16 bytes are filled, so that std140, std430 and C++ agree; <halfsilver/shared_structs.h> asserts every
 // offset and size.
 #ifndef HALFSILVER_STRUCTS_H
 #define HALFSILVER_STRUCTS_H
@@ -68,11 +68,11 @@ struct GpuMaterial {
 
 struct GpuLight {
   vec3 position;
-  float range;  // metres; 0: unlimited
+  float range;  // meters; 0: unlimited
   vec3 direction;  // unit, the way the light travels
   uint type;       // LIGHT_...
   vec3 color;         // linear, times intensity
-  float shadowTexel;  // width of a shadow texel, metres (point, spot: at distance 1)
+  float shadowTexel;  // width of a shadow texel, meters (point, spot: at distance 1)
   float coneScale;    // spot: angular falloff = clamp(cosine * scale + offset)
   float coneOffset;
   int shadowLayer;    // the first, or NO_SHADOW
@@ -98,13 +98,13 @@ struct FrameConstants {
   vec3 eye;
   float pixelCone;  // a pixel's width at distance 1
   vec3 forward;     // unit
-  float nearPlane;  // metres
+  float nearPlane;  // meters
   vec3 right;       // times tan(half fov) times aspect
-  float farPlane;   // metres; 0: infinite
+  float farPlane;   // meters; 0: infinite
   vec3 up;          // times tan(half fov)
-  float minDistance;  // nearer hits are ignored, metres
+  float minDistance;  // nearer hits are ignored, meters
   vec3 boundsLow;  // of the scene
-  float diagonal;  // of the bounds, metres
+  float diagonal;  // of the bounds, meters
   vec3 boundsHigh;
   uint skyIsImage;
   vec3 skyZenith;  // times intensity, as the next two

@@ -36,7 +36,7 @@ class ShaderFunction {
 void addQuad(Scene& scene, const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, const glm::vec3& d,
              std::uint32_t material);
 
-// A texture of one colour.
+// A texture of one color.
 std::shared_ptr<Texture> plainTexture(int width, int height, const glm::u8vec4& color, bool srgb);
 
 // All values of level 0, `channels` a texel, row 0 at the bottom.

@@ -73,11 +73,11 @@ std::array<int, 4> pixel(const std::vector<std::uint8_t>& pixels, int x, int y) 
   return {p[0], p[1], p[2], p[3]};
 }
 
-// The picture above, at places where its colour is known.
+// The picture above, at places where its color is known.
 void expectPicture(const std::vector<std::uint8_t>& pixels) {
   EXPECT_EQ(pixel(pixels, 0, 0), (std::array{64, 128, 191, 255}));
   EXPECT_EQ(pixel(pixels, kSize - 2, kSize - 2), (std::array{64, 128, 191, 255}));
-  // The pixel's centre, back through the vertex shader's map from place to the viewport.
+  // The pixel's center, back through the vertex shader's map from place to the viewport.
   const auto place = [](int n) { return ((n + 0.5) / kSize * 2 - 1 + 0.8) / 1.6; };
   EXPECT_NEAR(pixel(pixels, 20, 12)[0], 255 * place(20), 1);
   EXPECT_NEAR(pixel(pixels, 20, 12)[1], 255 * place(12), 1);

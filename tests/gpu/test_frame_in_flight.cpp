@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <halfsilver/error.h>
+#include <halfsilver/tracer.h>
 #include "gpu/tracing_scenes.h"
 
 namespace halfsilver::testing {
@@ -165,6 +166,51 @@ TEST_F(FrameInFlight, AThirdFrameIsRefusedAndTheTwoGoOn) {
   finish(renderer, b);
   EXPECT_EQ(renderer.report().pixels, static_cast<std::uint64_t>(b.width * b.height));
   expectUsageError([&, v = b] { finish(renderer, v); });
+}
+
+TEST_F(FrameInFlight, ArrivedReportsDoNotGoBackBehindAReport) {
+  const auto [a, b] = views("identity");
+  Renderer renderer = makeRenderer(scene_);
+  begin(renderer, a);
+  finish(renderer, a);
+  begin(renderer, b);
+  finish(renderer, b);
+  EXPECT_EQ(renderer.report().pixels, static_cast<std::uint64_t>(b.width * b.height));
+  api.Finish();
+  EXPECT_FALSE(renderer.arrivedReport());
+  begin(renderer, a);
+  finish(renderer, a);
+  api.Finish();
+  const auto arrived = renderer.arrivedReport();
+  ASSERT_TRUE(arrived);
+  EXPECT_EQ(arrived->pixels, static_cast<std::uint64_t>(a.width * a.height));
+}
+
+// A tracer whose hits never come.
+class FailingTracer final : public Tracer {
+ public:
+  void update(const FrameView&, const SceneChange&) override {}
+  void trace(const FrameView&, const RayQueue&, Hits&) override {}
+  void collect(const FrameView&, const RayQueue&, Hits&) override { throw Error(ErrorKind::failed, "no hits"); }
+  TracerMemory memory() const override { return {}; }
+};
+
+TEST_F(FrameInFlight, FramesThatFailLeaveTheReportOfTheLastGoodOne) {
+  const Method failing{{.name = "exact"},
+                       [](const gl::Api&, const Settings&) { return std::make_unique<FailingTracer>(); }};
+  Renderer renderer([this](const char* name) { return context.getProcAddress()(name); }, std::vector{failing});
+  renderer.setScene(scene_);
+  const View good = views("identity")[0], bad = views("exact")[0];
+  const Frame before = render(renderer, good);
+  for (int i = 0; i < 7; ++i) {
+    SCOPED_TRACE(i);
+    begin(renderer, bad);
+    EXPECT_THROW(finish(renderer, bad), Error);
+    expectSameCounts(renderer.report(), before.report);
+  }
+  const Frame after = render(renderer, good);
+  EXPECT_TRUE(after.layers.data == before.layers.data);
+  expectSameCounts(after.report, before.report);
 }
 
 // Another tracer or other shadow maps would take from the frame under way what it still reads.

@@ -271,7 +271,7 @@ TEST_F(GBufferTest, MaterialValues) {
   EXPECT_NEAR(at(picture.baseColor, 0).g, 1.0f, 2e-3f);
   EXPECT_NEAR(at(picture.baseColor, 0).a, 0.751f, 2e-3f);
   EXPECT_NEAR(at(picture.material, 0).a, 0.2f, 1e-3f);
-  EXPECT_NEAR(at(picture.material, 0).r, 0.5029f, 2e-3f) << "metal reflects its base colour";
+  EXPECT_NEAR(at(picture.material, 0).r, 0.5029f, 2e-3f) << "metal reflects its base color";
   EXPECT_NEAR(at(picture.emissive, 0).a, 1.0f, 1e-3f);
   EXPECT_NEAR(at(picture.emissive, 0).b, 4.0f, 1e-2f);
   const float luminance = 0.2126f * 0.5029f + 0.7152f;

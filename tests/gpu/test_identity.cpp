@@ -56,7 +56,7 @@ INSTANTIATE_TEST_SUITE_P(Resolutions, IdentityTest,
                                            IdentityCase{"400", "own"}, IdentityCase{"32", "area"},
                                            IdentityCase{"20", "normal"}));
 
-// A scene of a few millimetres and one of ten million units give the same answers as one of metres.
+// A scene of a few millimetres and one of ten million units give the same answers as one of meters.
 TEST_F(TracingTest, EveryScaleIsExact) {
   for (const float scale : {1e-3f, 1.0f, 5e6f}) {
     Scene scene = soup(1500);
@@ -191,7 +191,7 @@ TEST_F(LongListTest, RaysAlongVoxelEdgesComeThrough) {
 // What is built is what rays need, in memory of that size; it stays, and grows by what other rays need.
 TEST_F(TracingTest, ListsAreBuiltOnDemandAndStay) {
   const Scene scene = soup(3000);
-  const Settings kept = settingsWith({}), anew = settingsWith({{"abuffer.keep", "false"}});
+  const Settings kept = settingsWith({}), rebuilt = settingsWith({{"abuffer.keep", "false"}});
   Renderer renderer = makeRenderer(scene);
   const Camera other = lookAt({1.5f, 1.2f, 2.0f}, {0, 0.1f, 0});
   const Frame few = drawWith(renderer, kAbove, settingsWith({{"select.fraction", "0.02"}}), 80, 60);
@@ -210,8 +210,8 @@ TEST_F(TracingTest, ListsAreBuiltOnDemandAndStay) {
   }
   // Pictures are those of a full rebuild, to the bit.
   EXPECT_EQ(all.layers.data, again.layers.data);
-  EXPECT_EQ(all.layers.data, drawOnce(scene, kAbove, anew, 80, 60).layers.data);
-  EXPECT_EQ(moved.layers.data, drawOnce(scene, other, anew, 80, 60).layers.data);
+  EXPECT_EQ(all.layers.data, drawOnce(scene, kAbove, rebuilt, 80, 60).layers.data);
+  EXPECT_EQ(moved.layers.data, drawOnce(scene, other, rebuilt, 80, 60).layers.data);
 }
 
 // What other views and places needed is gone, and what is built then is what a first frame builds.
@@ -233,7 +233,7 @@ TEST_F(TracingTest, ForgottenStructuresAreBuiltAnew) {
   EXPECT_GT(first.report.memory.fragmentsStored, 100u);
 }
 
-// A frame in which an object moves builds anew what that object touches; pictures are those of a full rebuild.
+// A frame in which an object moves rebuilds what that object touches; pictures are those of a full rebuild.
 TEST_F(TracingTest, MovingTrianglesAreFollowed) {
   Scene scene = soup(2000);
   // Corners that keep the bounds as they are.
@@ -254,12 +254,12 @@ TEST_F(TracingTest, MovingTrianglesAreFollowed) {
     renderer.updateVertices(scene, std::span(&moving, 1));
     const std::uint64_t madeBefore = frame.report.memory.fragments;
     frame = drawWith(renderer, kAbove, kept, 80, 60);
-    const Frame anew = drawOnce(scene, kAbove, kept, 80, 60);
-    EXPECT_EQ(frame.layers.data, anew.layers.data) << step;
+    const Frame rebuilt = drawOnce(scene, kAbove, kept, 80, 60);
+    EXPECT_EQ(frame.layers.data, rebuilt.layers.data) << step;
     EXPECT_EQ(frame.report.overflow, 0u);
     // Less is made than by building everything, and the pool stays close to what it holds.
     const MemoryReport& memory = frame.report.memory;
-    EXPECT_LT(memory.fragments - madeBefore, anew.report.memory.fragments / 2) << step;
+    EXPECT_LT(memory.fragments - madeBefore, rebuilt.report.memory.fragments / 2) << step;
     EXPECT_LE(static_cast<double>(memory.poolReserved), 1.12 * static_cast<double>(memory.poolUsed)) << step;
     const HitErrors errors = compareHits(frame, draw(scene, kAbove, settingsWith({{"trace.method", "exact"}}), 80, 60),
                                          scene.bounds().diagonal());
@@ -291,11 +291,11 @@ TEST_F(TracingTest, MovingTrianglesLeaveNothingBehind) {
     for (const VertexRange& part : parts) renderer.updateVertices(scene, std::span(&part, 1));
     frame = drawWith(renderer, kAbove, kept, 80, 60);
   }
-  const Frame anew = drawOnce(scene, kAbove, kept, 80, 60);
-  EXPECT_EQ(frame.layers.data, anew.layers.data);
+  const Frame rebuilt = drawOnce(scene, kAbove, kept, 80, 60);
+  EXPECT_EQ(frame.layers.data, rebuilt.layers.data);
   // Besides what other views would need, only the place where they stood first holds them still: 600 in a list or two.
-  EXPECT_LT(frame.report.memory.fragmentsStored, anew.report.memory.fragmentsStored + 2 * 600);
-  EXPECT_GT(frame.report.memory.fragments, anew.report.memory.fragments) << "everything was built anew";
+  EXPECT_LT(frame.report.memory.fragmentsStored, rebuilt.report.memory.fragmentsStored + 2 * 600);
+  EXPECT_GT(frame.report.memory.fragments, rebuilt.report.memory.fragments) << "everything was rebuilt";
 }
 
 // A bad range is refused before anything has moved.

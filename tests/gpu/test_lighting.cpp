@@ -98,7 +98,7 @@ TEST_F(LightingTest, MetalFollowsGgx) {
 }
 
 // A mirror material's deferred part is Lambert's alone: the blend takes Fresnel's share away.
-TEST_F(LightingTest, MirrorKeepsItsBaseColour) {
+TEST_F(LightingTest, MirrorKeepsItsBaseColor) {
   Scene scene = plate(mirror(0.5f, {0.2f, 0.6f, 0.4f}));
   scene.lights = {sun({1, -1, 0}, kPi)};
   expectColor(shadeAt(scene, {-2, 2, 0.7f}, {0, 0, 0}), vec3(0.2f, 0.6f, 0.4f) * std::sqrt(0.5f), 5e-3f);

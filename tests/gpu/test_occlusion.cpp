@@ -18,7 +18,7 @@ using shared::Ray;
 
 struct DistanceCase {
   const char* method;
-  float undecided;  // metres around the largest distance in which a hit may be answered either way: a search that is
+  float undecided;  // meters around the largest distance in which a hit may be answered either way: a search that is
                     // cut short in a voxel takes other steps
 };
 

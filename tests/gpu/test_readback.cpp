@@ -81,6 +81,20 @@ TEST_F(Readbacks, GrowAndKeepWhatCameBefore) {
   }
 }
 
+TEST_F(Readbacks, RequestsThatGrowDoNotPileUp) {
+  gl::Readback readback(api);
+  constexpr std::size_t kMax = 400'000;
+  const gl::Buffer source = countingFrom(0, kMax);
+  for (std::size_t count = 1000; count <= kMax; count += 1000) {
+    readback.clear();
+    const auto slice = readback.copy<std::uint32_t>(source, count);
+    readback.submit();
+    readback.wait();
+    ASSERT_EQ(readback.values(slice).back(), count - 1);
+    ASSERT_LE(readback.bytes(), 2 * count * sizeof(std::uint32_t) + (std::size_t{1} << 16)) << count;
+  }
+}
+
 TEST_F(Readbacks, MovingKeepsTheCopies) {
   const gl::Buffer source = countingFrom(3, 2);
   gl::Readback first(api);

@@ -196,7 +196,7 @@ TEST_F(ReflectionShade, NoRayBelowTheThreshold) {
   expectColor(reflection(0, 0), 0.5f * vec3(3) + 0.5f * sky_);
 }
 
-TEST_F(ReflectionShade, UnlitHitIsItsColour) {
+TEST_F(ReflectionShade, UnlitHitIsItsColor) {
   Material material = diffuse({0.2f, 0.4f, 0.6f});
   material.unlit = true;
   material.roughness = 0;
@@ -207,7 +207,7 @@ TEST_F(ReflectionShade, UnlitHitIsItsColour) {
   EXPECT_EQ(next.count.read<shared::RayCount>(1)[0].count, 0u);
 }
 
-// Colour, normal and reflectivity come from the method's store, whatever the triangle says.
+// Color, normal and reflectivity come from the method's store, whatever the triangle says.
 TEST_F(ReflectionShade, StoredSurfacesReplaceTheTrianglesOwn) {
   Material material = diffuse(vec3(1));
   material.metallic = 1;

@@ -173,7 +173,7 @@ TEST_F(ReflectionSpawn, FractionsAreExactNestedAndEven) {
   EXPECT_EQ(smaller.size(), static_cast<std::size_t>(pixels));
 }
 
-TEST_F(ReflectionSpawn, RegionsAreNestedRectanglesAroundTheCentre) {
+TEST_F(ReflectionSpawn, RegionsAreNestedRectanglesAroundTheCenter) {
   const Scene scene = mirrorWall();
   const int width = 150, height = 131;
   std::vector<std::uint32_t> smaller;
@@ -230,7 +230,7 @@ TEST_F(ReflectionSpawn, PixelsAreCountedByWhatTheirReflectionAdds) {
     }
     EXPECT_EQ(counted, static_cast<std::uint32_t>(width * height));
   }
-  // A weak one adds to the displayed colour less on a bright surface than on a dark one, and less in white light.
+  // A weak one adds to the displayed color less on a bright surface than on a dark one, and less in white light.
   scene.materials[0].mirror = 0.04f;
   double before = 1;
   for (const float light : {0.0f, 0.1f, 0.5f, 0.9f}) {

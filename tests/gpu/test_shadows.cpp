@@ -9,7 +9,7 @@ namespace {
 using glm::vec3;
 constexpr float kPi = glm::pi<float>();
 
-// A floor of 20 x 20 metres with a box of 2 x 2 x 2 in its middle, lit so that a lit point of the floor has radiance 1.
+// A floor of 20 x 20 meters with a box of 2 x 2 x 2 in its middle, lit so that a lit point of the floor has radiance 1.
 struct Lit {
   Scene scene;
   std::uint32_t white = 0;
@@ -42,7 +42,7 @@ Light spot(const vec3& position, const vec3& target, float candela) {
 
 using ShadowTest = LightTest;
 
-// The box is 2 metres high and light falls at 45 degrees: its shadow ends 2 metres behind it.
+// The box is 2 meters high and light falls at 45 degrees: its shadow ends 2 meters behind it.
 TEST_F(ShadowTest, SunShadowLiesWhereGeometrySays) {
   Scene scene = floorAndBox().scene;
   scene.lights = {sun({1, -1, 0}, kPi)};
@@ -61,7 +61,7 @@ TEST_F(ShadowTest, SunShadowLiesWhereGeometrySays) {
 }
 
 TEST_F(ShadowTest, SpotAndPointShadowsLieWhereGeometrySays) {
-  // From 4 metres above the floor over x = -3, the box's far upper edge at x = 1 throws its shadow to x = 5.
+  // From 4 meters above the floor over x = -3, the box's far upper edge at x = 1 throws its shadow to x = 5.
   const vec3 from(-3, 4, 0);
   for (const bool cone : {false, true}) {
     SCOPED_TRACE(cone ? "spot" : "point");

@@ -172,8 +172,8 @@ TEST_F(TracingTest, FragmentsOfAFloorAreCountedExactly) {
                                          {"abuffer.resolution", "64"},
                                          {"voxels.resolution", "16"}}),
                            16, 12);
-  // Plain rasterization covers each texel centre once; the diagonal is shared by rule. The tiny triangle covers none.
-  // The padding is 0.001 of the extent, less than half a texel, so every centre is inside.
+  // Plain rasterization covers each texel center once; the diagonal is shared by rule. The tiny triangle covers none.
+  // The padding is 0.001 of the extent, less than half a texel, so every center is inside.
   EXPECT_EQ(frame.report.memory.fragmentsStored, static_cast<std::uint64_t>(texels * texels));
   EXPECT_EQ(frame.report.memory.fragmentsPerAxis[1], static_cast<std::uint64_t>(texels * texels));
   EXPECT_EQ(frame.report.memory.fragmentsPerAxis[0] + frame.report.memory.fragmentsPerAxis[2], 0u);

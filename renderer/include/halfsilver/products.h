@@ -56,7 +56,7 @@ struct GBuffer {
   int width = 0, height = 0;
   gl::Texture depth;       // D32F, of the rasterization; reversed: 1 at the near plane, 0 far away
   gl::Texture visibility;  // R32UI: triangle + 1, or 0
-  gl::Texture position;    // RGBA32F: xyz, w metres along the view axis; w = 0 if there is no surface
+  gl::Texture position;    // RGBA32F: xyz, w meters along the view axis; w = 0 if there is no surface
   gl::Texture normal;      // RGBA32F: shading normal, w reflectivity (faded by roughness)
   gl::Texture baseColor;   // RGBA16F: rgb, a occlusion
   gl::Texture material;    // RGBA16F: f0 rgb, roughness; -1 for unlit

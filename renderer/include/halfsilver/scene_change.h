@@ -25,6 +25,7 @@ struct SceneChange {
     lights = lights || later.lights;
     sky = sky || later.sky;
     moved.insert(moved.end(), later.moved.begin(), later.moved.end());
+    if (topology) moved.clear();  // nothing has stayed where it was
   }
 
   static SceneChange everything() { return {true, true, true, true, {}}; }

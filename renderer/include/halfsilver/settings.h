@@ -16,7 +16,7 @@ namespace halfsilver {
 enum class SelectMode { none, reflective, all };
 enum class SelectPattern {
   scattered,  // evenly over the screen
-  region      // in a rectangle of the screen's shape around its centre
+  region      // in a rectangle of the screen's shape around its center
 };
 enum class Fill {
   sky,        // the sky's radiance
@@ -48,7 +48,7 @@ struct SelectSettings {
   float maxRoughness = 0.4f;  // 0..1, reflectivity fades from 1 at roughness 0 to 0 here
   float minReflectivity = 0;  // 0..1, pixels at or below are not selected
   // 0..1, pixels that contribute at most this are not kept, and those up to a quarter of an octave above are thinned
-  // out. The contribution is what the reflection of something as bright as white adds to the displayed colour, after
+  // out. The contribution is what the reflection of something as bright as white adds to the displayed color, after
   // Fresnel, roughness and what the blend leaves of it.
   float minContribution = 0;
   Fill fill = Fill::neighbours;  // the reflection of pixels that reflect and were not traced

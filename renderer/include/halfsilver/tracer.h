@@ -74,8 +74,8 @@ class Tracer {
 };
 
 // The tracer that the settings name; null for "none". Methods that the caller brings (see Renderer) come before those
-// of the table. Throws Error (usage) for a method that nobody can make: "exact" if it is not brought. "auto" is "exact"
-// on a software rasterizer if that is brought, else "identity".
+// of the table. Throws Error (usage) for a method that needs the caller's tracer but was not brought, such as "exact".
+// "auto" is "exact" on a software rasterizer if that is brought, else "identity".
 std::unique_ptr<Tracer> makeTracer(const gl::Api& api, const Settings& settings, std::span<const Method> brought);
 
 // Whether makeTracer() makes the same of both settings, so that a tracer and its structure can stay.

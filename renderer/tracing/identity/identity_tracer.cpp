@@ -65,7 +65,9 @@ void IdentityTracer::trace(const FrameView& view, const RayQueue& rays, Hits& hi
     program.set("lookAhead", lookAhead);
     return builder_.buildRequested(view.scene, store_);
   };
+  built_ = false;  // a build that fails half way leaves nothing to keep
   tracePass_.run(view, rays, hits, {bindStructure, buildRequested});
+  built_ = true;
   store_.shrink();
   builder_.releaseMemory();
 }

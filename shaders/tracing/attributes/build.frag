@@ -13,7 +13,7 @@
 #include "tracing/common/voxel_store.glsl"
 
 uniform int storeAll;     // 1: three buffers
-uniform float texelSize;  // metres, the footprint of a fragment
+uniform float texelSize;  // meters, the footprint of a fragment
 
 layout(location = 0) flat in uint inTriangle;
 layout(location = 1) flat in int inAxis;

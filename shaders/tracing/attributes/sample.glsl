@@ -14,7 +14,7 @@ const uint noFragment = 0xffffffffu;
 struct Sample {
   float t;
   float depth;            // the point's
-  float side;             // metres, < 0: the point lies behind the nearest fragment's surface; 0: no fragment
+  float side;             // meters, < 0: the point lies behind the nearest fragment's surface; 0: no fragment
   ivec2 texel;
   uint nearest;           // fragment nearest in depth, or noFragment
   float nearestDepth;
@@ -39,7 +39,7 @@ bool counts(TraceRay ray, vec3 normal, uint triangle, float t) {
   return triangle != ray.excluded && (!near(t, 4.0) || dot(normal, ray.direction) <= 0.0);
 }
 
-// Distance (metres) of a point of the ray from the plane of a fragment, which lies in its texel's center.
+// Distance (meters) of a point of the ray from the plane of a fragment, which lies in its texel's center.
 float planeSide(TraceRay ray, int axis, float t, ivec2 texel, float depth, vec3 normal) {
   vec3 at = vec3((vec2(texel) + 0.5) / float(bufferResolution), depth);
   return dot(normal / gridInverse, ray.gridOrigin + ray.gridDirection * t - unpermute(at, axis));

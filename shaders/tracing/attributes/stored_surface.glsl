@@ -24,7 +24,7 @@ vec4 sampleUse(uint triangle, vec2 barycentrics, int use, vec2 changeX, vec2 cha
   return sampleTexture(binding, a + edges * barycentrics, edges * changeX, edges * changeY);
 }
 
-// footprint: the fragment's size in metres.
+// footprint: the fragment's size in meters.
 StoredSurface evaluateStoredSurface(uint triangle, vec2 barycentrics, float footprint) {
   uvec4 corners = triangles[triangle];
   vec3 a, b, c;

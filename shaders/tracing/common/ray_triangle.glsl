@@ -68,5 +68,6 @@ float determinantOf(EdgeTest test) {
 float distanceOf(EdgeTest test, RayShear shear, float determinant) {
   precise float t = (test.edges.x * test.depths.x + test.edges.y * test.depths.y + test.edges.z * test.depths.z) *
                     shear.scale.z;
-  return t / determinant;
+  precise float distance = t / determinant;
+  return distance;
 }

@@ -5,7 +5,7 @@
 #include "tracing/identity/bricks.glsl"
 #include "tracing/identity/candidates.glsl"
 
-// Larger ones are taken unseen: their fragments are looked at anyway.
+// Larger triangles are collected without a look at their bricks: fragments decide anyway.
 const int maxBricks = 4096;
 
 bool wantedTriangle(uint triangle) {

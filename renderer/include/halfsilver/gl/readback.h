@@ -77,6 +77,8 @@ class Readback {
   // Forgets the copies, which need not have arrived, and keeps the memory for the next ones.
   void clear();
 
+  std::size_t bytes() const;  // of mapped memory
+
  private:
   static constexpr std::size_t kAlignment = 16;
 
