@@ -196,7 +196,7 @@ class FailingTracer final : public Tracer {
 };
 
 TEST_F(FrameInFlight, FramesThatFailLeaveTheReportOfTheLastGoodOne) {
-  const Method failing{{.name = "exact"},
+  const Method failing{methodInfo("exact"),
                        [](const gl::Api&, const Settings&) { return std::make_unique<FailingTracer>(); }};
   Renderer renderer([this](const char* name) { return context.getProcAddress()(name); }, std::vector{failing});
   renderer.setScene(scene_);

@@ -29,8 +29,8 @@ std::vector<std::string> paretoVerdicts(const ParetoScene& scene);
 // What tables and the chart call things.
 const char* accuracyName(Accuracy accuracy, ParetoScenes scenes);
 bool perceptionKnown(ParetoScenes scenes);  // whether the project is built with OpenImageIO
-// "on the front", "within the noise", or what beats the variant.
-std::string standing(const ParetoScene& scene, std::size_t variant, Accuracy accuracy);
+// "on the front", "within the noise", or what beats the variant at that place.
+std::string standing(const ParetoScene& scene, std::size_t at, Accuracy accuracy);
 std::string optionalPercent(const std::optional<double>& share);
 
 }  // namespace halfsilver::bench
