@@ -169,8 +169,6 @@ GpuScene uploadScene(const gl::Api& api, const Scene& scene) {
   gpu.triangleCount = static_cast<std::uint32_t>(scene.triangles.size());
   gpu.materialCount = static_cast<std::uint32_t>(scene.materials.size());
   gpu.extents = SceneExtents(scene);
-  gpu.bounds = gpu.extents.bounds();
-  gpu.core = gpu.extents.core();
 
   const std::size_t vertices = std::max<std::size_t>(1, scene.vertices.size());  // an empty buffer cannot be bound
   gpu.positions = gl::Buffer(api, vertices * 3 * sizeof(float), "positions");
@@ -199,8 +197,6 @@ void updateScene(const gl::Api& api, GpuScene& gpu, const Scene& scene, const Sc
   if (change.sky) gpu.sky = uploadSky(api, scene.sky);
   for (const VertexRange& range : change.moved) writeVertices(gpu, scene, range.first, range.count);
   if (gpu.extents.update(scene, change.moved) == 0) return;
-  gpu.bounds = gpu.extents.bounds();
-  gpu.core = gpu.extents.core();
 }
 
 }  // namespace halfsilver

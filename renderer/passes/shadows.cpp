@@ -48,7 +48,7 @@ std::vector<std::string> ShadowPass::run(const GpuScene& scene, std::span<const 
   const std::size_t layerBytes =
       sizeof(float) * static_cast<std::size_t>(limits.resolution) * static_cast<std::size_t>(limits.resolution);
   limits.layers = std::min<int>(api_->limits.arrayLayers, static_cast<int>(kMaxBytes / layerBytes));
-  LightList list = makeLightList(scene.bounds, lights, sky, limits);
+  LightList list = makeLightList(scene.extents.bounds(), lights, sky, limits);
   if (limits.resolution < settings.shadow.resolution)
     list.warnings.push_back("shadow maps: the device draws at most " + std::to_string(limits.resolution) +
                             " texels along a side");

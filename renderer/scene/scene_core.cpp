@@ -149,6 +149,4 @@ void SceneExtents::combine(const Scene& scene) {
   core_.outer = std::move(large);
 }
 
-SceneCore findCore(const Scene& scene) { return SceneExtents(scene).core(); }
-
 }  // namespace halfsilver

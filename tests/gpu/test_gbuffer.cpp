@@ -41,7 +41,7 @@ class GBufferTest : public testing::ContextTest {
     Picture picture;
     picture.width = width;
     picture.height = height;
-    picture.frame = makeFrameConstants(camera, gpu.bounds, scene.sky, settings, width, height, 0);
+    picture.frame = makeFrameConstants(camera, gpu.extents.bounds(), scene.sky, settings, width, height, 0);
     const gl::Buffer constants =
         gl::makeBuffer(api, std::span<const shared::FrameConstants>(&picture.frame, 1), "frame");
     GBufferPass pass(api);

@@ -140,7 +140,7 @@ TEST_F(GpuSceneTest, UpdateMovesOnlyTheRange) {
   updateScene(api, gpu, scene, {.moved = {range}});
   const std::vector<float> positions = gpu.positions.read<float>(24);
   for (std::size_t v = 0; v < 8; ++v) EXPECT_EQ(positions[3 * v + 2], v < 4 ? 0.0f : 6.0f);
-  EXPECT_EQ(gpu.bounds.high.z, 6.0f);
+  EXPECT_EQ(gpu.extents.bounds().high.z, 6.0f);
   const VertexRange beyond{6, 4};
   EXPECT_THROW(updateScene(api, gpu, scene, {.moved = {beyond}}), Error);
 }
@@ -160,10 +160,10 @@ TEST_F(GpuSceneTest, UpdatedScenesEqualFreshOnes) {
   scene.materials[1].alphaCutoff = 0.6f;  // holes where there were none
   updateScene(api, gpu, scene, {.materials = true, .moved = {{81, 1}}});
   const GpuScene fresh = uploadScene(api, scene);
-  EXPECT_EQ(gpu.bounds.high, fresh.bounds.high);
-  EXPECT_EQ(gpu.core.bounds.high, fresh.core.bounds.high);
-  EXPECT_EQ(gpu.core.outer, fresh.core.outer);
-  EXPECT_EQ(gpu.core.outer, std::vector<std::uint32_t>{40});
+  EXPECT_EQ(gpu.extents.bounds().high, fresh.extents.bounds().high);
+  EXPECT_EQ(gpu.extents.core().bounds.high, fresh.extents.core().bounds.high);
+  EXPECT_EQ(gpu.extents.core().outer, fresh.extents.core().outer);
+  EXPECT_EQ(gpu.extents.core().outer, std::vector<std::uint32_t>{40});
   EXPECT_EQ(gpu.drawList.read<std::uint32_t>(80), fresh.drawList.read<std::uint32_t>(80));
   ASSERT_EQ(gpu.drawRanges.size(), fresh.drawRanges.size());
   EXPECT_GT(gpu.drawRanges.size(), rangesBefore);

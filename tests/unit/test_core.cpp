@@ -28,7 +28,7 @@ TEST(SceneCore, AGroundToTheHorizonIsOuter) {
   Scene scene = row(100);
   addTriangle(scene, {-500, 0, -500}, 1000);
   addTriangle(scene, {2, 0, 0.01f}, 1);  // also large, but inside
-  const SceneCore core = findCore(scene);
+  const SceneCore core = SceneExtents(scene).core();
   EXPECT_EQ(core.outer, std::vector<std::uint32_t>({100, 101}));
   EXPECT_FLOAT_EQ(core.bounds.low.x, 0);
   EXPECT_FLOAT_EQ(core.bounds.high.x, 9.95f);
@@ -38,7 +38,7 @@ TEST(SceneCore, AGroundToTheHorizonIsOuter) {
 TEST(SceneCore, MoreLargeTrianglesThanMayBeOuterStay) {
   Scene scene = row(100);
   for (std::size_t i = 0; i <= kMaxOuterTriangles; ++i) addTriangle(scene, {-500, 0, -500}, 1000);
-  const SceneCore core = findCore(scene);
+  const SceneCore core = SceneExtents(scene).core();
   EXPECT_TRUE(core.outer.empty());
   EXPECT_FLOAT_EQ(core.bounds.low.x, -500);
 }
@@ -46,7 +46,7 @@ TEST(SceneCore, MoreLargeTrianglesThanMayBeOuterStay) {
 TEST(SceneCore, OrdinaryScenesAreWhole) {
   for (const char* name : {"sphere", "teapot", "atrium"}) {
     const Model model = makeBuiltin(name);
-    const SceneCore core = findCore(model.scene);
+    const SceneCore core = SceneExtents(model.scene).core();
     EXPECT_TRUE(core.outer.empty()) << name;
     EXPECT_EQ(core.bounds.low, model.scene.bounds().low) << name;
     EXPECT_EQ(core.bounds.high, model.scene.bounds().high) << name;
@@ -54,10 +54,10 @@ TEST(SceneCore, OrdinaryScenesAreWhole) {
 }
 
 TEST(SceneCore, FewTrianglesAreWhole) {
-  EXPECT_TRUE(findCore(Scene{}).bounds.empty());
+  EXPECT_TRUE(SceneExtents(Scene{}).core().bounds.empty());
   const Scene scene = row(3);
-  EXPECT_TRUE(findCore(scene).outer.empty());
-  EXPECT_EQ(findCore(scene).bounds.high, scene.bounds().high);
+  EXPECT_TRUE(SceneExtents(scene).core().outer.empty());
+  EXPECT_EQ(SceneExtents(scene).core().bounds.high, scene.bounds().high);
 }
 
 }  // namespace

@@ -52,7 +52,7 @@ bool sameBits(const Bounds& a, const Bounds& b) { return sameBits(a.low, b.low) 
 
 void expectExtentsOf(const SceneExtents& extents, const Scene& scene) {
   EXPECT_TRUE(sameBits(extents.bounds(), scene.bounds()));
-  const SceneCore fresh = findCore(scene), defined = definedCore(scene);
+  const SceneCore fresh = SceneExtents(scene).core(), defined = definedCore(scene);
   EXPECT_TRUE(sameBits(extents.core().bounds, fresh.bounds));
   EXPECT_EQ(extents.core().outer, fresh.outer);
   EXPECT_EQ(fresh.bounds.low, defined.bounds.low);

@@ -30,9 +30,7 @@ struct GpuScene {
   gl::Texture sky;                              // 1 x 1 if the sky is a gradient
   std::vector<std::uint32_t> textureLocations;  // one per texture of the scene, see GpuTexture::location
   std::uint32_t vertexCount = 0, triangleCount = 0, materialCount = 0;
-  Bounds bounds;
-  SceneCore core;
-  SceneExtents extents;  // keeps both up to date
+  SceneExtents extents;  // bounds and core
   std::vector<std::string> warnings;
 
   std::size_t bytes() const;

@@ -51,7 +51,4 @@ class SceneExtents {
   SceneCore core_;
 };
 
-// The core of a scene that is measured once.
-SceneCore findCore(const Scene& scene);
-
 }  // namespace halfsilver

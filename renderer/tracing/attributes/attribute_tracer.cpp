@@ -74,7 +74,7 @@ void AttributeTracer::update(const FrameView& view, const SceneChange&) {
     throw Error(ErrorKind::failed, "the scene has " + std::to_string(scene.triangleCount) +
                                        " triangles; fragments with attributes can name " +
                                        std::to_string(kMaxTriangles));
-  grid_ = makeGrid(scene.bounds, settings_.voxels.resolution, settings_.abuffer.resolution);
+  grid_ = makeGrid(scene.extents.bounds(), settings_.voxels.resolution, settings_.abuffer.resolution);
   voxelPass_.run(view, grid_, voxels_);
 
   const auto scope = view.profiler.section("build");

@@ -36,7 +36,7 @@ void IdentityTracer::update(const FrameView& view, const SceneChange& change) {
   if (kept && change.moved.empty()) return;
   const Grid bricks = store_.brickGridOf(view.scene);
   built_ = false;  // until nothing has failed
-  store_.setOuter(view.scene.core.outer);
+  store_.setOuter(view.scene.extents.core().outer);
   if (kept && store_.ownAxis() && bricks == store_.brickGrid()) {
     const auto scope = view.profiler.section("voxelize");
     builder_.giveUpMoved(view.scene, change.moved, store_);

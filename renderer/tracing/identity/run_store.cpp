@@ -36,7 +36,7 @@ RunStore::RunStore(const gl::Api& api, const Settings& settings)
 Grid RunStore::brickGridOf(const GpuScene& scene) const {
   const double voxels = voxelsPerTriangle_ * static_cast<double>(scene.triangleCount);
   const double wanted = voxelsPerTriangle_ > 0 ? std::max(1.0, voxels / kVoxelsPerBrick) : 0.0;
-  return makeCubicGrid(scene.core.bounds, std::max(1, resolution_ / BRICK_SIDE), wanted);
+  return makeCubicGrid(scene.extents.core().bounds, std::max(1, resolution_ / BRICK_SIDE), wanted);
 }
 
 void RunStore::setOuter(std::span<const std::uint32_t> triangles) {

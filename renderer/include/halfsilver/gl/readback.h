@@ -61,7 +61,6 @@ class Readback {
 
   // Ends the copies with a fence.
   void submit();
-  bool submitted() const { return static_cast<bool>(fence_); }
   // Whether values() may be called. Never waits.
   bool ready() const { return fence_ && fence_.signaled(); }
   // Returns once ready(). Only after submit(). A host wait, as every Fence::wait().

@@ -10,7 +10,9 @@ Method BruteForceTracer::method() {
 BruteForceTracer::BruteForceTracer(const gl::Api& api, const Settings& settings)
     : tracePass_(api, settings.trace.stage, "tracing/brute_force", {}) {}
 
-void BruteForceTracer::update(const FrameView& view, const SceneChange&) { grid_ = makeGrid(view.scene.bounds, 1, 1); }
+void BruteForceTracer::update(const FrameView& view, const SceneChange&) {
+  grid_ = makeGrid(view.scene.extents.bounds(), 1, 1);
+}
 
 void BruteForceTracer::trace(const FrameView& view, const RayQueue& rays, Hits& hits) {
   grid_.apply(tracePass_.program());
