@@ -5,21 +5,35 @@
 #include "gl/draw_state.h"
 
 namespace halfsilver {
+namespace {
 
-void rasterizeScene(const gl::Api& api, const gl::Program& program, const gl::EmptyVertexArray& vertexArray,
-                    const GpuScene& scene, const RasterShape& shape, const gl::Buffer* indirect) {
-  const gl::Framebuffer framebuffer(api, shape.resolution, shape.resolution);
+// A raster without attachments lives as long as the draw.
+template <class Draw>
+void rasterize(const gl::Api& api, const gl::Program& program, const gl::EmptyVertexArray& vertexArray, int resolution,
+               const Draw& draw) {
+  const gl::Framebuffer framebuffer(api, resolution, resolution);
   framebuffer.bind();
-  gl::DrawState{.viewport = {0, 0, shape.resolution, shape.resolution}}.apply(api);
+  gl::DrawState{.viewport = {0, 0, resolution, resolution}}.apply(api);
   vertexArray.bind();
   program.use();
-  if (indirect) {
-    api.BindBuffer(GL_DRAW_INDIRECT_BUFFER, indirect->name());
+  draw();
+}
+
+}  // namespace
+
+void rasterizeScene(const gl::Api& api, const gl::Program& program, const gl::EmptyVertexArray& vertexArray,
+                    const GpuScene& scene, const RasterShape& shape) {
+  rasterize(api, program, vertexArray, shape.resolution, [&] {
+    api.DrawArraysInstanced(GL_TRIANGLES, 0, static_cast<GLsizei>(scene.triangleCount) * 3, shape.projections);
+  });
+}
+
+void rasterizeListed(const gl::Api& api, const gl::Program& program, const gl::EmptyVertexArray& vertexArray,
+                     int resolution, const gl::Buffer& arguments) {
+  rasterize(api, program, vertexArray, resolution, [&] {
+    api.BindBuffer(GL_DRAW_INDIRECT_BUFFER, arguments.name());
     api.DrawArraysIndirect(GL_TRIANGLES, nullptr);
-  } else {
-    api.DrawArraysInstanced(GL_TRIANGLES, 0, static_cast<GLsizei>(scene.triangleCount) * shape.verticesPerTriangle,
-                            shape.projections);
-  }
+  });
 }
 
 void dispatchFor(const gl::Api& api, const gl::Program& program, std::size_t count) {

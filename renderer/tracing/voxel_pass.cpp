@@ -32,13 +32,18 @@ VoxelPass::VoxelPass(const gl::Api& api, VoxelRaster raster, AxisRule axis)
     : api_(&api),
       raster_(raster),
       axis_(axis),
-      rasterize_(gl::Program::raster(api, "tracing/common/voxelize.vert", "tracing/common/voxelize.frag",
-                                     rasterDefines(raster, axis))),
-      vertexArray_(api) {
+      rasterize_(gl::Program::raster(
+          api,
+          raster == VoxelRaster::conservative ? "tracing/common/large_triangles.vert" : "tracing/common/voxelize.vert",
+          "tracing/common/voxelize.frag", rasterDefines(raster, axis))),
+      vertexArray_(api),
+      large_(api) {
+  if (raster == VoxelRaster::conservative)
+    small_ = gl::Program::compute(api, "tracing/common/voxelize_small.comp", rasterDefines(raster, axis));
   if (axis != AxisRule::own) chooseAxis_ = gl::Program::compute(api, "tracing/common/voxel_axis.comp");
 }
 
-void VoxelPass::run(const FrameView& view, const Grid& grid, Voxels& out) const {
+void VoxelPass::run(const FrameView& view, const Grid& grid, Voxels& out) {
   const auto scope = view.profiler.section("voxelize");
   const std::size_t words = (grid.voxelCount() + VOXELS_PER_WORD - 1) / VOXELS_PER_WORD;
   if (out.words.bytes() != words * sizeof(GLuint)) out.words = gl::Buffer(*api_, words * sizeof(GLuint), "voxel grid");
@@ -53,21 +58,8 @@ void VoxelPass::run(const FrameView& view, const Grid& grid, Voxels& out) const 
   // Clears of buffers come before the fragments' atomics.
   api_->MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
 
-  // The raster of Hu et al. is that of the three A-buffers, so all three projections vote; the others project each
-  // triangle along its own axis, as do masks of own axes whatever the raster.
-  const bool allProjections = raster_ == VoxelRaster::abuffer && axis_ != AxisRule::own;
-  const int resolution = raster_ == VoxelRaster::abuffer ? grid.texels : grid.longestSide();
-  grid.apply(rasterize_);
-  rasterize_.set("ownAxis", allProjections ? 0 : 1);
-  rasterize_.set("rasterResolution", resolution);
-  rasterize_.set("absoluteNormals", axis_ == AxisRule::area ? 1 : 0);
-  view.scene.bindTriangles();
-  out.bind();
-  rasterizeScene(*api_, rasterize_, vertexArray_, view.scene,
-                 {.resolution = resolution,
-                  .projections = allProjections ? 3 : 1,
-                  .verticesPerTriangle = raster_ == VoxelRaster::conservative ? 6 : 3});
-  // Marks and sums (fragments) are read by the choice of axes, the build and the trace.
+  rasterize(view.scene, grid, out);
+  // Marks and sums (shaders) are read by the choice of axes, the build and the trace.
   api_->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   if (axis_ == AxisRule::own) return;
 
@@ -77,6 +69,34 @@ void VoxelPass::run(const FrameView& view, const Grid& grid, Voxels& out) const 
   dispatchFor(*api_, chooseAxis_, words);
   // The axes (compute) are read by the build and the trace.
   api_->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+}
+
+void VoxelPass::rasterize(const GpuScene& scene, const Grid& grid, const Voxels& out) {
+  // The raster of Hu et al. is that of the three A-buffers, so all three projections vote; the others project each
+  // triangle along its own axis, as do masks of own axes whatever the raster.
+  const bool allProjections = raster_ == VoxelRaster::abuffer && axis_ != AxisRule::own;
+  const int resolution = raster_ == VoxelRaster::abuffer ? grid.texels : grid.longestSide();
+  const auto apply = [&](const gl::Program& program) {
+    grid.apply(program);
+    program.set("ownAxis", allProjections ? 0 : 1);
+    program.set("absoluteNormals", axis_ == AxisRule::area ? 1 : 0);
+  };
+  apply(rasterize_);
+  out.bind();
+  if (small_) {
+    apply(small_);
+    large_.begin(scene, true);
+    transient_ = large_.bytes();
+    // Marks and sums are atomic, so the rasterizer need not wait for them.
+    large_.choose(small_, scene);
+    large_.rasterizeLarge(rasterize_, resolution);
+    large_.releaseMemory();
+  } else {
+    rasterize_.set("rasterResolution", resolution);
+    scene.bindTriangles();
+    rasterizeScene(*api_, rasterize_, vertexArray_, scene,
+                   {.resolution = resolution, .projections = allProjections ? 3 : 1});
+  }
 }
 
 }  // namespace halfsilver

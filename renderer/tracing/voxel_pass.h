@@ -5,6 +5,7 @@
 #include "gl/framebuffer.h"
 #include "gl/program.h"
 #include "tracing/grid.h"
+#include "tracing/listed_triangles.h"
 
 namespace halfsilver {
 
@@ -25,15 +26,22 @@ class VoxelPass {
   VoxelPass(const gl::Api& api, VoxelRaster raster, AxisRule axis);
 
   // Section "voxelize". Ends with the grid readable by shaders.
-  void run(const FrameView& view, const Grid& grid, Voxels& out) const;
+  void run(const FrameView& view, const Grid& grid, Voxels& out);
+
+  std::uint64_t transientBytes() const { return transient_; }  // while the last run() worked
 
  private:
+  void rasterize(const GpuScene& scene, const Grid& grid, const Voxels& out);
+
   const gl::Api* api_;
   VoxelRaster raster_;
   AxisRule axis_;
   gl::Program rasterize_;
+  gl::Program small_;       // of VoxelRaster::conservative: small triangles
   gl::Program chooseAxis_;  // empty for AxisRule::own
   gl::EmptyVertexArray vertexArray_;
+  ListedTriangles large_;
+  std::uint64_t transient_ = 0;
 };
 
 }  // namespace halfsilver

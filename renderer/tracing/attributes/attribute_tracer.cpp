@@ -1,5 +1,6 @@
 #include "tracing/attributes/attribute_tracer.h"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -103,7 +104,7 @@ void AttributeTracer::update(const FrameView& view, const SceneChange&) {
   pool_.bind();
   entries_.bindImage(IMAGE_ENTRIES, GL_WRITE_ONLY);
   rasterizeScene(*api_, build_, vertexArray_, scene,
-                 {.resolution = grid_.texels, .projections = own ? 1 : 3, .verticesPerTriangle = 3});
+                 {.resolution = grid_.texels, .projections = own ? 1 : 3});
   // Entries (image stores), heads and links (fragments) are read by the sort and the trace.
   api_->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
   if (sort_) sortLists();
@@ -139,7 +140,7 @@ TracerMemory AttributeTracer::memory() const {
   TracerMemory memory;
   memory.voxels = voxels_.bytes();
   memory.grid = grid_.voxels;
-  memory.transient = tracePass_.bytes();
+  memory.transient = std::max<std::uint64_t>(tracePass_.bytes(), voxelPass_.transientBytes());
   pool_.report(memory, kEntryBytes);
   return memory;
 }

@@ -7,16 +7,12 @@ namespace halfsilver::shared {
 
 #include "shared/passes/identity.h"
 
-static_assert(offsetof(BrickWork, vertexCount) == 0);  // an indirect draw begins here
-static_assert(offsetof(BrickWork, instanceCount) == 4);
-static_assert(offsetof(BrickWork, firstVertex) == 8);
-static_assert(offsetof(BrickWork, firstInstance) == 12);
-static_assert(offsetof(BrickWork, requestedBricks) == 16);
-static_assert(offsetof(BrickWork, totalWords) == 20);
-static_assert(offsetof(BrickWork, headerWords) == 24);
-static_assert(offsetof(BrickWork, longestRun) == 28);
-static_assert(offsetof(BrickWork, staleWords) == 32);
-static_assert(offsetof(BrickWork, staleHeaderWords) == 36);
-static_assert(sizeof(BrickWork) == 48);
+static_assert(offsetof(BrickWork, requestedBricks) == 0);
+static_assert(offsetof(BrickWork, totalWords) == 4);
+static_assert(offsetof(BrickWork, headerWords) == 8);
+static_assert(offsetof(BrickWork, longestRun) == 12);
+static_assert(offsetof(BrickWork, staleWords) == 16);
+static_assert(offsetof(BrickWork, staleHeaderWords) == 20);
+static_assert(sizeof(BrickWork) == 32);
 
 }  // namespace halfsilver::shared

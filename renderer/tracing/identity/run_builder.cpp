@@ -10,39 +10,43 @@ namespace halfsilver {
 namespace {
 
 constexpr std::size_t kBrickBuildBytes = (1 + BRICK_SIDE * BRICK_SIDE * BRICK_SIDE) * sizeof(GLuint);  // BrickBuild
-constexpr int kVerticesPerTriangle = 6;
-
-gl::Program rasterProgram(const gl::Api& api, const char* fragment) {
-  return gl::Program::raster(api, "tracing/identity/candidates.vert", fragment);
-}
 
 }  // namespace
 
 RunBuilder::RunBuilder(const gl::Api& api)
     : api_(&api),
       collectRequested_(gl::Program::compute(api, "tracing/identity/collect_requested.comp")),
-      build_(rasterProgram(api, "tracing/identity/build.frag")),
       finishBricks_(gl::Program::compute(api, "tracing/identity/finish_bricks.comp")),
+      build_(makeVisit(api, "build")),
       placeSum_(api, "tracing/identity/place_runs.comp"),
-      vertexArray_(api),
-      counters_(api) {}
+      counters_(api),
+      triangles_(api) {}
+
+RunBuilder::Visit RunBuilder::makeVisit(const gl::Api& api, const std::string& name) {
+  const std::string path = "tracing/identity/" + name;
+  return {gl::Program::compute(api, path + "_small.comp"),
+          gl::Program::raster(api, "tracing/common/large_triangles.vert", path + ".frag")};
+}
 
 bool RunBuilder::buildRequested(const GpuScene& scene, RunStore& store) {
   if (!store.complete()) return false;
   const shared::BrickWork requests = store.readWork();
   if (requests.requestedBricks == 0) return true;  // rays that only ran out of iterations
 
-  // Candidates.
-  store.grid().apply(collectRequested_);
-  collect(collectRequested_, scene, store);
+  // Triangles.
+  choose(collectRequested_, store.grid(), scene, store);
+
+  const auto setSecondStep = [this](bool second) {
+    for (const gl::Program* program : {&build_.small, &build_.large}) program->set("secondStep", second ? 1 : 0);
+  };
 
   // Count.
   const std::size_t bytes = std::min(requests.requestedBricks, kMaxRequests) * kBrickBuildBytes;
   if (brickBuilds_.bytes() < bytes) resize(*api_, brickBuilds_, bytes, "builds of bricks");
   brickBuilds_.fill(0);
-  api_->MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);  // counts (clear) are added to by fragments
-  build_.set("secondStep", 0);
-  rasterize(build_, store.grid(), scene, store);
+  api_->MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);  // counts (clear) are added to by the visit
+  setSecondStep(false);
+  visit(build_, store.grid(), scene, store);
 
   // Place.
   const auto bindItems = [&] {
@@ -58,8 +62,8 @@ bool RunBuilder::buildRequested(const GpuScene& scene, RunStore& store) {
     placeSum_.place(store.brickCount(), bindItems);
 
     // Fill.
-    build_.set("secondStep", 1);
-    rasterize(build_, store.grid(), scene, store);
+    setSecondStep(true);
+    visit(build_, store.grid(), scene, store);
     bindItems();
     finishBricks_.set("brickCount", store.brickCount());
     dispatchFor(*api_, finishBricks_, store.brickCount());
@@ -74,61 +78,54 @@ bool RunBuilder::buildRequested(const GpuScene& scene, RunStore& store) {
 }
 
 void RunBuilder::giveUpMoved(const GpuScene& scene, std::span<const VertexRange> moved, RunStore& store) {
-  if (!markMoved_) {
+  if (!collectMoved_) {
     collectMoved_ = gl::Program::compute(*api_, "tracing/identity/collect_moved.comp");
-    markMoved_ = rasterProgram(*api_, "tracing/identity/mark_moved.frag");
+    markMoved_ = makeVisit(*api_, "mark_moved");
     giveUpMoved_ = gl::Program::compute(*api_, "tracing/identity/give_up_moved.comp");
   }
   store.clearWork();
   store.bind();
   giveUpMoved_.set("brickCount", store.brickCount());
   dispatchFor(*api_, giveUpMoved_, store.brickCount());
-  // States and marks (compute) are changed by fragments.
+  // States and marks (this dispatch) are changed by the visits.
   api_->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   store.addStale(store.readWork());
   for (const VertexRange& range : moved) {
     store.clearWork();
     collectMoved_.set("firstVertex", static_cast<GLuint>(range.first));
     collectMoved_.set("vertexCount", static_cast<GLuint>(range.count));
-    collect(collectMoved_, scene, store);
+    choose(collectMoved_, store.brickGrid(), scene, store);
     noteTransient();
-    rasterize(markMoved_, store.brickGrid(), scene, store);
+    visit(markMoved_, store.brickGrid(), scene, store);
     store.addStale(store.readWork());
   }
   store.clearWork();
 }
 
-void RunBuilder::collect(const gl::Program& program, const GpuScene& scene, const RunStore& store) {
-  resize(*api_, candidates_, scene.triangleCount * sizeof(GLuint), "candidates of a build");
-  program.set("triangleCount", scene.triangleCount);
-  program.set("verticesPerTriangle", kVerticesPerTriangle);
-  scene.bindTriangles();
-  candidates_.bindStorage(SSBO_CANDIDATES);
+void RunBuilder::choose(const gl::Program& program, const Grid& grid, const GpuScene& scene, const RunStore& store) {
+  triangles_.begin(scene, store.ownAxis());
+  grid.apply(program);
+  program.set("ownAxis", store.ownAxis() ? 1 : 0);
   store.bind();
-  dispatchFor(*api_, program, scene.triangleCount);
-  // Candidates and the draw's arguments (collection) are read by the draws.
-  api_->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
+  triangles_.choose(program, scene);
 }
 
-void RunBuilder::rasterize(const gl::Program& program, const Grid& raster, const GpuScene& scene,
-                           const RunStore& store) {
-  raster.apply(program);
-  program.set("ownAxis", store.ownAxis() ? 1 : 0);
-  program.set("rasterResolution", raster.longestSide());
+void RunBuilder::visit(const Visit& programs, const Grid& grid, const GpuScene& scene, const RunStore& store) const {
+  for (const gl::Program* program : {&programs.small, &programs.large}) {
+    grid.apply(*program);
+    program->set("ownAxis", store.ownAxis() ? 1 : 0);
+  }
   scene.bindTriangles();
   counters_.bind();
   if (brickBuilds_) brickBuilds_.bindStorage(SSBO_BRICK_BUILDS);
-  candidates_.bindStorage(SSBO_CANDIDATES);
   store.bind();
-  rasterizeScene(*api_, program, vertexArray_, scene,
-                 {.resolution = raster.longestSide(), .projections = 1, .verticesPerTriangle = kVerticesPerTriangle},
-                 &store.work());
-  // Marks, counts and entries (fragments) are read by the sums, the next draw and the trace.
+  triangles_.visit(programs.small, programs.large, grid.longestSide());
+  // Marks, counts and entries (the visit) are read by the sums, the next visit and the trace.
   api_->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
 void RunBuilder::releaseMemory() {
-  candidates_ = gl::Buffer();
+  triangles_.releaseMemory();
   brickBuilds_ = gl::Buffer();
 }
 

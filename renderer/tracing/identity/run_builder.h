@@ -1,18 +1,19 @@
 #pragma once
 
 #include <span>
+#include <string>
 
 #include <halfsilver/settings.h>
-#include "gl/framebuffer.h"
 #include "gl/program.h"
 #include "tracing/build_counters.h"
 #include "tracing/identity/prefix_sum.h"
 #include "tracing/identity/run_store.h"
+#include "tracing/listed_triangles.h"
 
 namespace halfsilver {
 
-// Makes the runs that rays ask for. Triangles that may touch a requested brick are collected as candidates and
-// rasterized twice: to count the entries of each list, and, once a prefix sum has placed the runs, to fill them.
+// Makes the runs that rays ask for. Triangles that may touch a requested brick are listed, and their voxels visited
+// twice: to count the entries of each list, and, once a prefix sum has placed the runs, to fill them.
 class RunBuilder {
  public:
   // Bricks that one dispatch may ask for: 65 words each while they are built (8.5 MB).
@@ -29,7 +30,7 @@ class RunBuilder {
   void giveUpMoved(const GpuScene& scene, std::span<const VertexRange> moved, RunStore& store);
 
   // Memory that is needed while a frame builds.
-  std::uint64_t bytes() const { return candidates_.bytes() + brickBuilds_.bytes(); }
+  std::uint64_t bytes() const { return triangles_.bytes() + brickBuilds_.bytes(); }
   void releaseMemory();
   void beginFrame() { transient_ = 0; }
 
@@ -38,17 +39,25 @@ class RunBuilder {
   void addMemory(TracerMemory& memory) const;
 
  private:
-  void collect(const gl::Program& program, const GpuScene& scene, const RunStore& store);
-  void rasterize(const gl::Program& program, const Grid& raster, const GpuScene& scene, const RunStore& store);
+  // What becomes of the voxels that the listed triangles touch.
+  struct Visit {
+    gl::Program small, large;
+  };
+  static Visit makeVisit(const gl::Api& api, const std::string& name);
+
+  void choose(const gl::Program& program, const Grid& grid, const GpuScene& scene, const RunStore& store);
+  void visit(const Visit& programs, const Grid& grid, const GpuScene& scene, const RunStore& store) const;
   void noteTransient() { transient_ = std::max(transient_, bytes()); }
 
   const gl::Api* api_;
-  gl::Program collectRequested_, build_, finishBricks_;
-  gl::Program collectMoved_, markMoved_, giveUpMoved_;  // made with the first move
+  gl::Program collectRequested_, finishBricks_;
+  Visit build_;
+  gl::Program collectMoved_, giveUpMoved_;  // made with the first move
+  Visit markMoved_;                         // likewise
   PrefixSum placeSum_;
-  gl::EmptyVertexArray vertexArray_;
   BuildCounters counters_;
-  gl::Buffer candidates_, brickBuilds_;
+  ListedTriangles triangles_;
+  gl::Buffer brickBuilds_;
   std::uint64_t transient_ = 0;  // bytes, see TracerMemory
 };
 

@@ -49,6 +49,7 @@ void RunStore::start(const FrameView& view, const Grid& bricks) {
   grid_ = brickGrid_ = bricks;
   grid_.voxels *= BRICK_SIDE;
   voxelPass_.run(view, brickGrid_, voxels_);
+  noteTransient(voxelPass_.transientBytes());
   const auto scope = view.profiler.section("voxelize");
   forget();
 }
@@ -72,11 +73,7 @@ void RunStore::bind() const {
   work_.bindStorage(SSBO_BRICK_WORK);
 }
 
-void RunStore::clearWork() {
-  shared::BrickWork none{};
-  none.instanceCount = ownAxis_ ? 1 : 3;
-  work_.write(0, &none, sizeof(none));
-}
+void RunStore::clearWork() { work_.fill(0); }
 
 shared::BrickWork RunStore::readWork() {
   // Requests and counts (shaders) are read by the host.

@@ -6,9 +6,8 @@
 #define SSBO_RUNS 13         // uint[]: words of runs, see tracing/identity/bricks.glsl
 #define SSBO_BRICK_WORK 14   // BrickWork
 #define SSBO_OUTER 15        // uint[1 + count]: triangles that reach beyond the grid: their count, then their numbers
-// Builds touch no queue of rays and use its numbers, from 6 on.
+// Builds touch no queue of rays and use its numbers; 5 and 7 are those of the counters and of listed triangles.
 #define SSBO_BRICK_BUILDS 6    // BrickBuild[requested bricks]
-#define SSBO_CANDIDATES 7      // uint[triangles]
 #define SSBO_BLOCK_SUMS 8      // uint[blocks of a prefix sum]
 #define SSBO_COMPACTED_RUNS 9  // uint[]: where compaction moves runs to
 
@@ -26,12 +25,8 @@
 // Prefix sums: invocations per group.
 #define SUM_GROUP 128
 
-// What rays ask for, and what becomes of it: the indirect draw of the candidates, then counts.
+// What rays ask for, and what becomes of it.
 struct BrickWork {
-  uint vertexCount;
-  uint instanceCount;
-  uint firstVertex;
-  uint firstInstance;
   uint requestedBricks;
   uint totalWords;        // the last prefix sum
   uint headerWords;       // before the entries, of the runs that are built

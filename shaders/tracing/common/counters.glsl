@@ -4,7 +4,9 @@
 
 layout(std430, binding = SSBO_COUNTERS) coherent buffer CounterBlock { uint counters[]; };
 
-void countAt(uint kind, ivec2 texel) {
+void countAt(uint kind, ivec2 texel, uint number) {
   uint slot = uint(texel.x & 7) + uint(texel.y & 7) * 8u;
-  atomicAdd(counters[slot * COUNTER_KINDS + kind], 1u);
+  if (number > 0u) atomicAdd(counters[slot * COUNTER_KINDS + kind], number);
 }
+
+void countAt(uint kind, ivec2 texel) { countAt(kind, texel, 1u); }

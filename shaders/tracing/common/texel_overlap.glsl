@@ -1,13 +1,10 @@
-// Fragment side of conservative rasterization: does the triangle touch the texel, and over which depths.
+// The test of conservative rasterization: does the triangle touch the texel, and over which depths.
 #include "tracing/common/grid.glsl"
 
 // The square is grown a little, so that a ray that rounds into the neighboring texel still finds the triangle.
 const float overlapSlack = 0.01;  // texels
 // More than a texel coordinate can be off by rounding.
 const float coordinateError = 1e-4;  // texels
-
-// What becomes of a voxel that the triangle touches: the program that includes this file defines it.
-void visitVoxel(ivec3 voxel);
 
 bool separated(vec2 normal, vec2 onEdge, vec2 opposite, float reach) {
   float p = dot(normal, onEdge), q = dot(normal, opposite);
@@ -44,17 +41,4 @@ bool touchesTexel(vec3 a, vec3 b, vec3 c, ivec2 texel, vec2 resolution, out vec2
     if (spread < depths.y - depths.x) depths = clamp(vec2(middle - spread, middle + spread), depths.x, depths.y);
   }
   return true;
-}
-
-// Calls visitVoxel() for every voxel of this texel's column that the triangle touches.
-// The raster is the voxel grid's own, seen along `axis`; `a`, `b`, `c` in world space.
-void visitTouchedVoxels(vec3 a, vec3 b, vec3 c, int axis, ivec2 texel) {
-  ivec3 voxels = permutedVoxels(axis);
-  vec2 depths;
-  bool touches = texel.x < voxels.x && texel.y < voxels.y &&
-                 touchesTexel(permute(toGrid(a), axis), permute(toGrid(b), axis), permute(toGrid(c), axis), texel,
-                              vec2(voxels.xy), depths);
-  int first = clamp(int(floor(depths.x * float(voxels.z) - overlapSlack)), 0, voxels.z - 1);
-  int last = touches ? clamp(int(floor(depths.y * float(voxels.z) + overlapSlack)), 0, voxels.z - 1) : -1;
-  for (int depth = first; depth <= last; ++depth) visitVoxel(ivec3(unpermute(vec3(texel, depth), axis)));
 }

@@ -7,28 +7,17 @@
 // rejects what it covers in excess.
 #include "lib/triangles.glsl"
 #include "tracing/common/grid.glsl"
-#include "tracing/common/triangle_normal.glsl"
+#include "tracing/common/projections.glsl"
 
-uniform int ownAxis;           // 1: one instance, each triangle in its own dominant axis
 uniform int rasterResolution;  // texels along each side of the raster; conservative: the grid's longest side
 
 // Half a texel's diagonal, and room for the rasterizer's snapping of vertices.
 const float conservativeMargin = 0.7072 + 0.05;
 
-struct ProjectedTriangle {
-  vec3 a, b, c;  // grid space, permuted: depth last
-  int axis;
-};
-
 ProjectedTriangle projectTriangle(uint triangle, int instance) {
   vec3 a, b, c;
   trianglePositions(triangle, a, b, c);
-  ProjectedTriangle projected;
-  projected.axis = ownAxis == 1 ? dominantAxis(gridNormal(a, b, c)) : instance;
-  projected.a = permute(toGrid(a), projected.axis);
-  projected.b = permute(toGrid(b), projected.axis);
-  projected.c = permute(toGrid(c), projected.axis);
-  return projected;
+  return projectTriangle(a, b, c, instance);
 }
 
 // Corner 0..5 of the two triangles that cover the projection, in clip space.

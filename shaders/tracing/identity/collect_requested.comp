@@ -1,16 +1,15 @@
-// Collects the triangles that may touch a requested brick. One invocation per triangle.
+// Lists the triangles that may touch a requested brick.
 #include "lib/triangles.glsl"
 #include "shared/passes/identity.h"
 #include "tracing/common/grid.glsl"
 #include "tracing/identity/bricks.glsl"
-#include "tracing/identity/candidates.glsl"
+#include "tracing/identity/collect.glsl"
 
 // Larger triangles are collected without a look at their bricks: fragments decide anyway.
 const int maxBricks = 4096;
 
-bool wantedTriangle(uint triangle) {
-  vec3 a, b, c;
-  trianglePositions(triangle, a, b, c);
+// `a`, `b`, `c` in world space.
+bool wantedTriangle(vec3 a, vec3 b, vec3 c) {
   ivec3 count = voxelCount / BRICK_SIDE;
   a = toGrid(a) * vec3(count);
   b = toGrid(b) * vec3(count);
@@ -28,5 +27,8 @@ bool wantedTriangle(uint triangle) {
 
 void main() {
   uint triangle = invocationTriangle();
-  if (triangle < triangleCount && wantedTriangle(triangle)) addCandidate(triangle);
+  if (triangle >= triangleCount) return;
+  vec3 a, b, c;
+  trianglePositions(triangle, a, b, c);
+  if (wantedTriangle(a, b, c)) listTriangle(triangle, a, b, c);
 }

@@ -1,20 +1,16 @@
-// Bricks that a moved triangle comes to are marked, and their runs given up. Voxels are whole bricks here.
+// The bricks that large moved triangles come to.
 #include "lib/triangles.glsl"
-#include "shared/passes/identity.h"
-#include "tracing/common/mark_voxel.glsl"
-#include "tracing/common/texel_overlap.glsl"
-#include "tracing/identity/give_up.glsl"
+#include "tracing/common/projections.glsl"
+#include "tracing/common/touched_voxels.glsl"
+#include "tracing/identity/mark_moved.glsl"
 
 layout(location = 0) flat in uint inTriangle;
 layout(location = 1) flat in int inAxis;
 
-void visitVoxel(ivec3 brick) {
-  markVoxel(brick, 1u << uint(inAxis) | VOXEL_MOVED);
-  giveUp(voxelIndex(brick));
-}
+void visitVoxel(ivec3 brick) { markMoved(brick, inAxis); }
 
 void main() {
   vec3 a, b, c;
   trianglePositions(inTriangle, a, b, c);
-  visitTouchedVoxels(a, b, c, inAxis, ivec2(gl_FragCoord.xy));
+  visitTouchedVoxels(projectAlong(a, b, c, inAxis), ivec2(gl_FragCoord.xy));
 }

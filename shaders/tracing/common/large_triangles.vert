@@ -1,14 +1,12 @@
-// Conservative rasterization of the candidates.
-#include "shared/passes/identity.h"
+// Conservative rasterization of the large ones of the listed triangles.
+#include "tracing/common/listed_triangles.glsl"
 #include "tracing/common/triangle_raster.glsl"
-
-layout(std430, binding = SSBO_CANDIDATES) readonly buffer CandidateBlock { uint candidates[]; };
 
 layout(location = 0) flat out uint outTriangle;
 layout(location = 1) flat out int outAxis;
 
 void main() {
-  outTriangle = candidates[gl_VertexID / 6];
+  outTriangle = listedTriangles[placeOfLarge(uint(gl_VertexID) / 6u)];
   ProjectedTriangle projected = projectTriangle(outTriangle, gl_InstanceID);
   gl_Position = coveringCorner(projected, gl_VertexID % 6);
   outAxis = projected.axis;

@@ -1,0 +1,23 @@
+// The projections in which a triangle is rasterized: along its own dominant axis, or along all three.
+#include "tracing/common/grid.glsl"
+#include "tracing/common/triangle_normal.glsl"
+
+uniform int ownAxis;  // 1: each triangle in its own dominant axis
+
+// A triangle seen along an axis, which is the last component.
+struct ProjectedTriangle {
+  vec3 a, b, c;  // grid space
+  int axis;
+};
+
+int projectionCount() { return ownAxis == 1 ? 1 : 3; }
+
+// In world space: `a`, `b`, `c`.
+ProjectedTriangle projectAlong(vec3 a, vec3 b, vec3 c, int axis) {
+  return ProjectedTriangle(permute(toGrid(a), axis), permute(toGrid(b), axis), permute(toGrid(c), axis), axis);
+}
+
+// One of a triangle's projections.
+ProjectedTriangle projectTriangle(vec3 a, vec3 b, vec3 c, int number) {
+  return projectAlong(a, b, c, ownAxis == 1 ? dominantAxis(gridNormal(a, b, c)) : number);
+}
