@@ -9,13 +9,14 @@
 namespace halfsilver {
 namespace {
 
-constexpr std::size_t kBrickBuildBytes = (1 + BRICK_SIDE * BRICK_SIDE * BRICK_SIDE) * sizeof(GLuint);  // BrickBuild
+constexpr std::size_t kBrickBuildBytes = (2 + BRICK_SIDE * BRICK_SIDE * BRICK_SIDE) * sizeof(GLuint);  // BrickBuild
 
 }  // namespace
 
 RunBuilder::RunBuilder(const gl::Api& api)
     : api_(&api),
       collectRequested_(gl::Program::compute(api, "tracing/identity/collect_requested.comp")),
+      listRequested_(gl::Program::compute(api, "tracing/identity/list_requested.comp")),
       finishBricks_(gl::Program::compute(api, "tracing/identity/finish_bricks.comp")),
       build_(makeVisit(api, "build")),
       placeSum_(api, "tracing/identity/place_runs.comp"),
@@ -41,32 +42,37 @@ bool RunBuilder::buildRequested(const GpuScene& scene, RunStore& store) {
   };
 
   // Count.
-  const std::size_t bytes = std::min(requests.requestedBricks, kMaxRequests) * kBrickBuildBytes;
+  const std::uint32_t builds = std::min(requests.requestedBricks, kMaxRequests);
+  const std::size_t bytes = builds * kBrickBuildBytes;
   if (brickBuilds_.bytes() < bytes) resize(*api_, brickBuilds_, bytes, "builds of bricks");
   brickBuilds_.fill(0);
-  api_->MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);  // counts (clear) are added to by the visit
-  setSecondStep(false);
-  visit(build_, store.grid(), scene, store);
-
-  // Place.
+  // Builds (clear) are written by the list of requests and added to by the visit.
+  api_->MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   const auto bindItems = [&] {
     store.bind();
     brickBuilds_.bindStorage(SSBO_BRICK_BUILDS);
   };
-  placeSum_.sum(store.brickCount(), bindItems);
+  bindItems();
+  listRequested_.set("brickCount", store.brickCount());
+  dispatchFor(*api_, listRequested_, store.brickCount());
+  setSecondStep(false);
+  visit(build_, store.grid(), scene, store);
+
+  // Place.
+  placeSum_.sum(builds, bindItems);
   const std::uint32_t words = store.readWork().totalWords;
   noteTransient();
   const std::optional<std::uint32_t> place = store.makeRoom(words, this->bytes());
   if (place) {
     placeSum_.placing().set("firstWord", *place);
-    placeSum_.place(store.brickCount(), bindItems);
+    placeSum_.place(builds, bindItems);
 
     // Fill.
     setSecondStep(true);
     visit(build_, store.grid(), scene, store);
     bindItems();
-    finishBricks_.set("brickCount", store.brickCount());
-    dispatchFor(*api_, finishBricks_, store.brickCount());
+    finishBricks_.set("buildCount", builds);
+    dispatchFor(*api_, finishBricks_, builds);
     store.addBuilt(store.readWork());
   } else {
     store.addLost(words);

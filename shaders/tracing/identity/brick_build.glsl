@@ -2,6 +2,7 @@
 #include "shared/passes/identity.h"
 
 struct BrickBuild {
+  uint brick;
   uint run;                                         // place of its run
   uint next[BRICK_SIDE * BRICK_SIDE * BRICK_SIDE];  // entries counted for each voxel; then where its next entry goes
 };
