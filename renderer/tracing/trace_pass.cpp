@@ -5,17 +5,25 @@
 #include <limits>
 
 #include "gl/draw_state.h"
-#include "shared/passes/trace.h"
 
 namespace halfsilver {
+namespace shared {
+
+#include "shared/passes/trace.h"
+
+static_assert(offsetof(Resume, vertices) == 0);
+static_assert(offsetof(Resume, groupsX) == 16);
+static_assert(offsetof(Resume, times) == 28);
+static_assert(sizeof(Resume) == 32);
+
+}  // namespace shared
+
 namespace {
 
 // Iterations after which a ray yields if the driver stops shaders at 65,535 of them in a vector of eight rays.
 constexpr int kSoftwareWorkLimit = 4000;
 // Dispatches after which the rest is given up; a ray does at least a voxel in each.
 constexpr int kMaxDispatches = 1024;
-
-constexpr std::size_t kUnfinishedOffset = offsetof(shared::RayCount, unfinished);
 
 }  // namespace
 
@@ -26,14 +34,16 @@ TracePass::TracePass(const gl::Api& api, TraceStage stage, const std::string& fo
       program_(stage == TraceStage::compute
                    ? gl::Program::compute(api, folder + "/trace.comp", defines)
                    : gl::Program::raster(api, "passes/fullscreen.vert", folder + "/trace.frag", defines)),
+      resume_(gl::Program::compute(api, "tracing/common/resume.comp")),
       vertexArray_(api),
-      read_(api) {}
+      resumeWork_(api, sizeof(shared::Resume), "resumed rays"),
+      look_(api) {}
 
-void TracePass::dispatch(const RayQueue& rays) const {
+void TracePass::dispatch(const RayQueue& rays, bool resuming) const {
   program_.use();
   if (stage_ == TraceStage::compute) {
-    api_->BindBuffer(GL_DISPATCH_INDIRECT_BUFFER, rays.count.name());
-    api_->DispatchComputeIndirect(0);
+    api_->BindBuffer(GL_DISPATCH_INDIRECT_BUFFER, resuming ? resumeWork_.name() : rays.count.name());
+    api_->DispatchComputeIndirect(resuming ? offsetof(shared::Resume, groupsX) : 0);
   } else {
     // Fragments beyond the queue's count end at once; the count itself stays on the GPU.
     const auto rowLength = static_cast<GLuint>(std::min(api_->limits.framebufferSize, 8192));
@@ -43,7 +53,12 @@ void TracePass::dispatch(const RayQueue& rays) const {
     gl::DrawState{.viewport = {0, 0, rowLength, rows}}.apply(*api_);
     vertexArray_.bind();
     program_.set("rowLength", rowLength);
-    api_->DrawArrays(GL_TRIANGLES, 0, 3);
+    if (resuming) {
+      api_->BindBuffer(GL_DRAW_INDIRECT_BUFFER, resumeWork_.name());
+      api_->DrawArraysIndirect(GL_TRIANGLES, nullptr);
+    } else {
+      api_->DrawArrays(GL_TRIANGLES, 0, 3);
+    }
   }
   // Hits and counts (trace) are read by the next dispatch, by shading and by the host.
   api_->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
@@ -59,34 +74,57 @@ void TracePass::bind(const FrameView& view, const RayQueue& rays, const Hits& hi
   paused_.bindStorage(SSBO_PAUSED);
 }
 
-void TracePass::run(const FrameView& view, const RayQueue& rays, const Hits& hits, const Structure& structure) {
+void TracePass::prepareResume(const RayQueue& rays) const {
+  rays.count.bindStorage(SSBO_RAY_COUNT);
+  resumeWork_.bindStorage(SSBO_RESUME);
+  resume_.use();
+  api_->DispatchCompute(1, 1, 1);
+  // Arguments and the count (this dispatch) are read and counted up by the trace.
+  api_->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
+}
+
+int TracePass::run(const FrameView& view, const RayQueue& rays, const Hits& hits, const Structure& structure) {
   const bool limited = api_->software;
-  const bool once = !limited && !structure.supply;  // then no ray pauses
+  const int dispatches = structure.certain && !limited ? 1 : structure.dispatches;
+  const bool once = !limited && (!structure.supply || structure.certain);  // then no ray pauses
   const std::size_t pausedBytes = (once ? 1 : rays.capacity) * sizeof(shared::PausedRay);
   if (paused_.bytes() < pausedBytes) {
     paused_ = gl::Buffer();
     paused_ = gl::Buffer(*api_, pausedBytes, "paused rays");
   }
+  resumeWork_.fill(0);
   // The queue (selection, shading) is read as arguments of the dispatch and by the trace.
   api_->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
   program_.set("workLimit", limited ? kSoftwareWorkLimit : std::numeric_limits<int>::max());
   bool more = !once;
-  for (int i = 0; i < kMaxDispatches; ++i) {
-    more = more && i + 1 < kMaxDispatches;
+  int untilLook = dispatches, between = dispatches;
+  for (int i = 1;; ++i) {
+    const bool last = !more || i == kMaxDispatches || (structure.certain && i == dispatches);
     {
       const auto scope = view.profiler.section("trace");
+      if (i > 1) prepareResume(rays);
       bind(view, rays, hits);
       structure.bind();
-      program_.set("resuming", i > 0 ? 1 : 0);
-      program_.set("lastDispatch", more ? 0 : 1);
-      dispatch(rays);
-      if (!more) break;
-      if (read_.read<GLuint>(rays.count, kUnfinishedOffset / sizeof(GLuint)) == 0) break;
-      const GLuint none = 0;
-      // Written through the buffer, which GL orders against the dispatches.
-      api_->NamedBufferSubData(rays.count.name(), static_cast<GLintptr>(kUnfinishedOffset), sizeof(none), &none);
+      program_.set("resuming", i > 1 ? 1 : 0);
+      program_.set("lastDispatch", last ? 1 : 0);
+      dispatch(rays, i > 1);
     }
-    if (structure.supply) more = structure.supply();
+    if (last) return i;
+    if (--untilLook == 0) {
+      constexpr std::size_t kUnfinished = offsetof(shared::RayCount, unfinished) / sizeof(GLuint);
+      constexpr std::size_t kTimes = offsetof(shared::Resume, times) / sizeof(GLuint);
+      look_.clear();
+      const auto unfinished = look_.copy<GLuint>(rays.count, 1, kUnfinished);
+      const auto times = look_.copy<GLuint>(resumeWork_, 1, kTimes);
+      if (structure.copy) structure.copy(look_);
+      look_.submit();
+      look_.wait();
+      const bool done = look_.values(unfinished)[0] == 0;
+      if (structure.settle) more = structure.settle(look_, done);
+      if (done) return 1 + static_cast<int>(look_.values(times)[0]);
+      untilLook = between *= 2;
+    }
+    if (more && structure.supply) structure.supply();
   }
 }
 

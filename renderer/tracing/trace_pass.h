@@ -27,25 +27,35 @@ class TracePass {
   struct Structure {
     // Binds all that its search reads; called before every dispatch.
     std::function<void()> bind;
-    // Called between two dispatches if rays are unfinished; makes what they wait for. False: nothing more comes, and
-    // what the next dispatch leaves is overflow. Empty if rays never wait.
-    std::function<bool()> supply = {};
+    // Called between two dispatches: has the GPU make what rays wait for, nothing if none do. Empty if rays never wait.
+    std::function<void()> supply = {};
+    // Called where the host looks how far the rays are: what it needs to know besides is copied, and settled once it
+    // has arrived. `done`: all rays are through. False: nothing more comes, and what the next dispatch leaves is
+    // overflow.
+    std::function<void(gl::Readback&)> copy = {};
+    std::function<bool(const gl::Readback&, bool done)> settle = {};
+    // Dispatches before the host looks, twice as many each time; those that find all rays done do nothing. With
+    // `certain` it never looks, and what the last one leaves is overflow.
+    int dispatches = 1;
+    bool certain = false;
   };
 
   // Section "trace". Ends with the hits readable by shaders. If rays never wait and the driver lets loops run, one
-  // dispatch does it all and the host waits for nothing.
-  void run(const FrameView& view, const RayQueue& rays, const Hits& hits, const Structure& structure);
+  // dispatch does it all and the host waits for nothing. Returns how many dispatches there have been work for.
+  int run(const FrameView& view, const RayQueue& rays, const Hits& hits, const Structure& structure);
 
  private:
   void bind(const FrameView& view, const RayQueue& rays, const Hits& hits) const;
-  void dispatch(const RayQueue& rays) const;
+  void dispatch(const RayQueue& rays, bool resuming) const;
+  void prepareResume(const RayQueue& rays) const;
 
   const gl::Api* api_;
   TraceStage stage_;
-  gl::Program program_;
+  gl::Program program_, resume_;
   gl::EmptyVertexArray vertexArray_;
-  gl::Buffer paused_;  // PausedRay[capacity of the largest queue]
-  gl::BlockingRead read_;
+  gl::Buffer paused_;      // PausedRay[capacity of the largest queue]
+  gl::Buffer resumeWork_;  // Resume
+  gl::Readback look_;
 };
 
 }  // namespace halfsilver

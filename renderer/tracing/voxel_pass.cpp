@@ -43,8 +43,8 @@ VoxelPass::VoxelPass(const gl::Api& api, VoxelRaster raster, AxisRule axis)
   if (axis != AxisRule::own) chooseAxis_ = gl::Program::compute(api, "tracing/common/voxel_axis.comp");
 }
 
-void VoxelPass::run(const FrameView& view, const Grid& grid, Voxels& out) {
-  const auto scope = view.profiler.section("voxelize");
+void VoxelPass::run(const GpuScene& scene, gl::Profiler& profiler, const Grid& grid, Voxels& out) {
+  const auto scope = profiler.section("voxelize");
   const std::size_t words = (grid.voxelCount() + VOXELS_PER_WORD - 1) / VOXELS_PER_WORD;
   if (out.words.bytes() != words * sizeof(GLuint)) out.words = gl::Buffer(*api_, words * sizeof(GLuint), "voxel grid");
   out.words.fill(0);
@@ -58,7 +58,7 @@ void VoxelPass::run(const FrameView& view, const Grid& grid, Voxels& out) {
   // Clears of buffers come before the fragments' atomics.
   api_->MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
 
-  rasterize(view.scene, grid, out);
+  rasterize(scene, grid, out);
   // Marks and sums (shaders) are read by the choice of axes, the build and the trace.
   api_->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   if (axis_ == AxisRule::own) return;

@@ -1,6 +1,7 @@
 #pragma once
 
-#include <halfsilver/frame_view.h>
+#include <halfsilver/gl/profiler.h>
+#include <halfsilver/products.h>
 #include <halfsilver/settings.h>
 #include "gl/framebuffer.h"
 #include "gl/program.h"
@@ -26,7 +27,7 @@ class VoxelPass {
   VoxelPass(const gl::Api& api, VoxelRaster raster, AxisRule axis);
 
   // Section "voxelize". Ends with the grid readable by shaders.
-  void run(const FrameView& view, const Grid& grid, Voxels& out);
+  void run(const GpuScene& scene, gl::Profiler& profiler, const Grid& grid, Voxels& out);
 
   std::uint64_t transientBytes() const { return transient_; }  // while the last run() worked
 

@@ -59,12 +59,9 @@ class SmallTriangles : public TracingTest {
 
   Words voxelize(const GpuScene& scene, const Grid& grid, AxisRule axis) {
     VoxelPass pass(api, VoxelRaster::conservative, axis);
-    const ShadowMaps shadows;
-    const gl::Buffer constants;
-    const shared::FrameConstants frame{};
     gl::Profiler profiler(api);
     Voxels voxels;
-    pass.run({scene, shadows, constants, frame, profiler}, grid, voxels);
+    pass.run(scene, profiler, grid, voxels);
     api.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);  // marks and sums (shaders) are read by the host
     Words words{voxels.words.read<std::uint32_t>(voxels.words.bytes() / 4), {}};
     for (int i = 0; i < 3; ++i)

@@ -76,7 +76,7 @@ void AttributeTracer::update(const FrameView& view, const SceneChange&) {
                                        " triangles; fragments with attributes can name " +
                                        std::to_string(kMaxTriangles));
   grid_ = makeGrid(scene.extents.bounds(), settings_.voxels.resolution, settings_.abuffer.resolution);
-  voxelPass_.run(view, grid_, voxels_);
+  voxelPass_.run(scene, view.profiler, grid_, voxels_);
 
   const auto scope = view.profiler.section("build");
   const bool three = settings_.attributes.buffers == Buffers::three;

@@ -7,12 +7,16 @@ namespace halfsilver::shared {
 
 #include "shared/passes/identity.h"
 
-static_assert(offsetof(BrickWork, requestedBricks) == 0);
-static_assert(offsetof(BrickWork, totalWords) == 4);
-static_assert(offsetof(BrickWork, headerWords) == 8);
-static_assert(offsetof(BrickWork, longestRun) == 12);
-static_assert(offsetof(BrickWork, staleWords) == 16);
-static_assert(offsetof(BrickWork, staleHeaderWords) == 20);
-static_assert(sizeof(BrickWork) == 32);
+// Indirect dispatches begin here.
+static_assert(offsetof(BrickWork, brickGroupsX) == 0);
+static_assert(offsetof(BrickWork, triangleGroupsX) == 12);
+static_assert(offsetof(BrickWork, buildGroupsX) == 24);
+static_assert(offsetof(BrickWork, buildCount) == 36);
+static_assert(offsetof(BrickWork, requestedBricks) == 44);
+static_assert(offsetof(BrickWork, waitingWords) == 48);
+static_assert(offsetof(BrickWork, longestWaiting) == 52);
+static_assert(offsetof(BrickWork, usedWords) == 56);
+static_assert(offsetof(BrickWork, staleHeaderWords) == 72);
+static_assert(sizeof(BrickWork) == 80);
 
 }  // namespace halfsilver::shared

@@ -1,6 +1,7 @@
 #include "tracing/identity/identity_tracer.h"
 
 #include <algorithm>
+#include <cstring>
 
 namespace halfsilver {
 namespace {
@@ -10,6 +11,8 @@ namespace {
 constexpr int kFirstLookAhead = 2;
 constexpr int kKeptLookAhead = 16;  // if most bricks are there from earlier frames: another build costs more
 constexpr int kMaxLookAhead = 4096;
+// Dispatches before the host looks whether rays still wait: as many as they mostly need.
+constexpr int kFirstDispatches = 6, kKeptDispatches = 2;
 
 }  // namespace
 
@@ -32,6 +35,12 @@ void IdentityTracer::update(const FrameView& view, const SceneChange& change) {
   store_.beginFrame();
   builder_.beginFrame();
   const bool kept = keep_ && built_ && store_.complete() && !change.topology;
+  // Then rays are those of the last frame, and all that they need is there.
+  repeated_ = kept && !change.any() && std::memcmp(&frame_, &view.frame, sizeof(frame_)) == 0;
+  frame_ = view.frame;
+  traces_ = 0;
+  if (!repeated_) dispatches_.clear();
+  dispatchesToLook_ = kKeptDispatches;
   firstLookAhead_ = kKeptLookAhead;
   if (kept && change.moved.empty()) return;
   const Grid bricks = store_.brickGridOf(view.scene);
@@ -39,12 +48,16 @@ void IdentityTracer::update(const FrameView& view, const SceneChange& change) {
   store_.setOuter(view.scene.extents.core().outer);
   if (kept && store_.ownAxis() && bricks == store_.brickGrid()) {
     const auto scope = view.profiler.section("voxelize");
+    if (store_.stuck()) {
+      store_.forget(view.scene);
+      builder_.clearCounters();
+    }
     builder_.giveUpMoved(view.scene, change.moved, store_);
-    if (!store_.compact(builder_.bytes())) builder_.clearCounters();
   } else {
     store_.start(view, bricks);
     builder_.clearCounters();
     firstLookAhead_ = kFirstLookAhead;
+    dispatchesToLook_ = kFirstDispatches;
   }
   built_ = true;
 }
@@ -55,20 +68,39 @@ void IdentityTracer::trace(const FrameView& view, const RayQueue& rays, Hits& hi
   int lookAhead = firstLookAhead_;
   program.set("lookAhead", lookAhead);
   program.set("maxRequests", RunBuilder::kMaxRequests);
-  const auto bindStructure = [&] {
+  TracePass::Structure structure;
+  structure.bind = [&] {
     store_.bind();
     store_.bindOuter();
   };
-  const auto buildRequested = [&] {
+  const std::size_t number = traces_++;
+  if (repeated_ && number < dispatches_.size()) {
+    structure.dispatches = dispatches_[number];
+    structure.certain = true;
+    tracePass_.run(view, rays, hits, structure);
+    return;
+  }
+
+  structure.dispatches = dispatchesToLook_;
+  structure.supply = [&] {
     const auto scope = view.profiler.section("build");
     lookAhead = std::min(2 * lookAhead, kMaxLookAhead);
     program.set("lookAhead", lookAhead);
-    return builder_.buildRequested(view.scene, store_);
+    builder_.buildRequested(view.scene, store_);
+  };
+  gl::Readback::Slice<shared::BrickWork> work;
+  structure.copy = [&](gl::Readback& readback) { work = readback.copy<shared::BrickWork>(store_.work()); };
+  structure.settle = [&](const gl::Readback& readback, bool done) {
+    const auto scope = view.profiler.section("build");
+    store_.follow(readback.values(work)[0]);
+    // Later generations of rays will ask for more.
+    if (done && traces_ >= view.frame.bounces) store_.fit(builder_.bytes());
+    return done || store_.makeRoom(builder_.bytes());
   };
   built_ = false;  // a build that fails half way leaves nothing to keep
-  tracePass_.run(view, rays, hits, {bindStructure, buildRequested});
+  builder_.begin(view.scene, store_);
+  dispatches_.push_back(tracePass_.run(view, rays, hits, structure));
   built_ = true;
-  store_.shrink();
   builder_.releaseMemory();
 }
 

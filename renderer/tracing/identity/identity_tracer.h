@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include <halfsilver/settings.h>
 #include <halfsilver/tracer.h>
 #include "tracing/identity/run_builder.h"
@@ -15,6 +17,9 @@ namespace halfsilver {
 // that needs a brick asks for it and waits for the next dispatch. So the memory reserved is the memory used, and bricks
 // that no ray needs cost a word each, and four bits of the coarse grid. Bricks stay until triangles move into them
 // (IdentitySettings::keep).
+//
+// The GPU builds by itself; the host looks once per trace whether rays still wait and how much room runs need. A frame
+// with the constants of the last one, in which nothing has changed, has the same rays: there it does not look at all.
 class IdentityTracer final : public Tracer {
  public:
   static Method method();  // the row of the table
@@ -32,8 +37,15 @@ class IdentityTracer final : public Tracer {
   RunStore store_;
   RunBuilder builder_;
   TracePass tracePass_;
-  int firstLookAhead_ = 0;  // of this frame's rays, bricks
-  bool built_ = false;      // for the geometry of the last update
+  bool built_ = false;  // for the geometry of the last update
+
+  // Of this frame.
+  shared::FrameConstants frame_{};
+  bool repeated_ = false;        // it has the rays of the last one
+  std::size_t traces_ = 0;       // so far
+  std::vector<int> dispatches_;  // of each trace, that had something to do
+  int dispatchesToLook_ = 0;     // see TracePass::Structure
+  int firstLookAhead_ = 0;       // bricks
 };
 
 }  // namespace halfsilver

@@ -41,8 +41,8 @@ void PrefixSum::run(const gl::Program& program, std::uint32_t items, std::uint32
   program.use();
   const std::uint32_t rows = (groups + kMaxGroups - 1) / kMaxGroups;
   api_->DispatchCompute(std::min(groups, kMaxGroups), rows, 1);
-  // Sums (this step) are read by the next step, by what follows and, the total, by the host.
-  api_->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+  // Sums and items (this step) are read by the next step and by what follows.
+  api_->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
 }  // namespace halfsilver

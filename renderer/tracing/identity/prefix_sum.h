@@ -11,16 +11,12 @@ namespace halfsilver {
 // Exclusive prefix sums on the GPU, see shaders/tracing/identity/prefix_sum.glsl.
 class PrefixSum {
  public:
-  // Binds what the program reads of its items, and SSBO_BRICK_WORK. The caller orders what wrote them.
+  // Binds what the program reads of its items. The caller orders what wrote them.
   using BindItems = std::function<void()>;
 
   // `file`: the shader that defines what is summed.
   PrefixSum(const gl::Api& api, const char* file);
 
-  // For the items' own uniforms.
-  const gl::Program& placing() const { return place_; }
-
-  // The total goes to BrickWork::totalWords.
   void sum(std::uint32_t items, const BindItems& bind);
   // Hands each item its sum; after sum() of the same items.
   void place(std::uint32_t items, const BindItems& bind);

@@ -3,31 +3,32 @@
 #include <span>
 #include <string>
 
-#include <halfsilver/settings.h>
 #include "gl/program.h"
 #include "tracing/build_counters.h"
-#include "tracing/identity/prefix_sum.h"
 #include "tracing/identity/run_store.h"
 #include "tracing/listed_triangles.h"
 
 namespace halfsilver {
 
 // Makes the runs that rays ask for. Triangles that may touch a requested brick are listed, and their voxels visited
-// twice: to count the entries of each list, and, once a prefix sum has placed the runs, to fill them.
+// twice: to count the entries of each list, and, once the runs are placed, to fill them. The host learns nothing of it:
+// every step is an indirect dispatch or draw, which does nothing if nothing is requested.
 class RunBuilder {
  public:
-  // Bricks that one dispatch may ask for: 66 words each while they are built (8.7 MB).
-  static constexpr std::uint32_t kMaxRequests = 32768;
-
   explicit RunBuilder(const gl::Api& api);
 
-  // Builds what has been requested since the last call. False if it finds no room: the bricks stay requested.
-  bool buildRequested(const GpuScene& scene, RunStore& store);
+  // Bricks that rays may ask for until the next build: 66 words each while they are built (4.3 MB).
+  static constexpr std::uint32_t kMaxRequests = 16384;
+
+  // Makes room for builds in this frame.
+  void begin(const GpuScene& scene, const RunStore& store);
+  // Builds what has been requested since the last call. What finds no room in the store is missing again.
+  void buildRequested(const GpuScene& scene, const RunStore& store);
 
   // Gives up the bricks that moved triangles have come to, so that rays ask for them again. Those that they have left
   // can stay: the exact test sees where a triangle is now. The bricks that they came to at the last move are given up,
   // too, so that lists do not grow along an object's path.
-  void giveUpMoved(const GpuScene& scene, std::span<const VertexRange> moved, RunStore& store);
+  void giveUpMoved(const GpuScene& scene, std::span<const VertexRange> moved, const RunStore& store);
 
   // Memory that is needed while a frame builds.
   std::uint64_t bytes() const { return triangles_.bytes() + brickBuilds_.bytes(); }
@@ -45,16 +46,15 @@ class RunBuilder {
   };
   static Visit makeVisit(const gl::Api& api, const std::string& name);
 
-  void choose(const gl::Program& program, const Grid& grid, const GpuScene& scene, const RunStore& store);
   void visit(const Visit& programs, const Grid& grid, const GpuScene& scene, const RunStore& store) const;
-  void noteTransient() { transient_ = std::max(transient_, bytes()); }
+  void visitBuilds(bool secondStep, const GpuScene& scene, const RunStore& store) const;
+  void dispatchForBuilds(const gl::Program& program, std::size_t arguments, const RunStore& store) const;
 
   const gl::Api* api_;
-  gl::Program collectRequested_, listRequested_, finishBricks_;
+  gl::Program beginBuild_, listRequested_, collectRequested_, placeRuns_, finishBricks_;
   Visit build_;
   gl::Program collectMoved_, giveUpMoved_;  // made with the first move
   Visit markMoved_;                         // likewise
-  PrefixSum placeSum_;
   BuildCounters counters_;
   ListedTriangles triangles_;
   gl::Buffer brickBuilds_;

@@ -13,12 +13,20 @@ namespace halfsilver {
 namespace {
 
 constexpr std::uint64_t kWordBytes = sizeof(GLuint);
-constexpr double kVoxelsPerBrick = BRICK_SIDE * BRICK_SIDE * BRICK_SIDE;
+constexpr double kVoxelsPerBrick = VOXELS_PER_BRICK;
 // Software rasterizers stop long loops, and one invocation copies a run.
 constexpr std::uint64_t kMaxSoftwareCopy = 8000;
-// Room beyond what is needed if a pool grows that already holds lists: the next frame will want a little more. And the
-// share of stale words above which runs are moved together.
-constexpr double kHeadroom = 1.03;
+// The pool over its runs: as fit() makes it, and how much less or more may stay. And the share of stale words above
+// which runs are moved together.
+constexpr double kHeadroom = 1.03, kMinHeadroom = 1.01, kMaxHeadroom = 1.06;
+// By how much a pool grows at least if runs wait for room.
+constexpr double kGrowth = 4;
+// Words per triangle that a pool begins with, before it is known what rays need.
+constexpr std::uint64_t kFirstWords = 6, kMinFirstWords = 65536;
+
+std::uint64_t times(double factor, std::uint64_t words) {
+  return static_cast<std::uint64_t>(factor * static_cast<double>(words));
+}
 
 }  // namespace
 
@@ -30,7 +38,6 @@ RunStore::RunStore(const gl::Api& api, const Settings& settings)
       ownAxis_(settings.voxels.axis == AxisRule::own),
       voxelPass_(api, VoxelRaster::conservative, settings.voxels.axis),
       beginBricks_(gl::Program::compute(api, "tracing/identity/begin_bricks.comp")),
-      read_(api),
       work_(api, sizeof(shared::BrickWork), "work on bricks") {}
 
 Grid RunStore::brickGridOf(const GpuScene& scene) const {
@@ -48,17 +55,19 @@ void RunStore::setOuter(std::span<const std::uint32_t> triangles) {
 void RunStore::start(const FrameView& view, const Grid& bricks) {
   grid_ = brickGrid_ = bricks;
   grid_.voxels *= BRICK_SIDE;
-  voxelPass_.run(view, brickGrid_, voxels_);
+  voxelPass_.run(view.scene, view.profiler, brickGrid_, voxels_);
   noteTransient(voxelPass_.transientBytes());
   const auto scope = view.profiler.section("voxelize");
-  forget();
+  forget(view.scene);
 }
 
-void RunStore::forget() {
+void RunStore::forget(const GpuScene& scene) {
   resize(*api_, bricks_, brickCount() * sizeof(GLuint), "A-buffer bricks");
-  if (!runs_) resize(*api_, runs_, 0, "A-buffer runs");
-  clearWork();
-  used_ = headerWords_ = staleWords_ = staleHeaderWords_ = longestRun_ = lost_ = 0;
+  const std::uint64_t words = std::min(maxCapacity(), std::max(kMinFirstWords, kFirstWords * scene.triangleCount));
+  if (capacity() < words) resize(*api_, runs_, words * kWordBytes, "A-buffer runs");
+  work_.fill(0);
+  known_ = {};
+  lost_ = 0;
   bind();
   beginBricks_.set("brickCount", brickCount());
   dispatchFor(*api_, beginBricks_, brickCount());
@@ -73,61 +82,66 @@ void RunStore::bind() const {
   work_.bindStorage(SSBO_BRICK_WORK);
 }
 
-void RunStore::clearWork() { work_.fill(0); }
-
-shared::BrickWork RunStore::readWork() {
-  // Requests and counts (shaders) are read by the host.
-  api_->MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-  return read_.read<shared::BrickWork>(work_);
-}
-
-std::optional<std::uint32_t> RunStore::makeRoom(std::uint64_t words, std::uint64_t besides) {
-  const std::uint64_t needed = used_ + words;
+std::uint64_t RunStore::maxCapacity() const {
   // Higher places are states of bricks.
-  const std::uint64_t max =
-      std::min<std::uint64_t>(static_cast<std::uint64_t>(api_->limits.storageBlockBytes) / kWordBytes, BRICK_REQUESTED);
-  if (needed > max) return std::nullopt;
-  const auto place = static_cast<std::uint32_t>(used_);
-  // A pool of an earlier geometry that is much too large goes, too.
-  if (needed <= capacity() && (used_ > 0 || static_cast<double>(capacity()) <= kHeadroom * static_cast<double>(needed)))
-    return place;
-  if (used_ == 0) {
-    resize(*api_, runs_, needed * kWordBytes, "A-buffer runs");
-    return place;
-  }
-  const auto wanted = std::min(max, static_cast<std::uint64_t>(kHeadroom * static_cast<double>(needed)));
-  gl::Buffer larger(*api_, wanted * kWordBytes, "A-buffer runs");
-  noteTransient(besides + runs_.bytes());
-  // Runs (fragments) are copied.
-  api_->MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-  api_->CopyNamedBufferSubData(runs_.name(), larger.name(), 0, 0, static_cast<GLsizeiptr>(used_ * kWordBytes));
-  runs_ = std::move(larger);
-  return place;
+  return std::min<std::uint64_t>(static_cast<std::uint64_t>(api_->limits.storageBlockBytes) / kWordBytes,
+                                 BRICK_REQUESTED);
 }
 
-void RunStore::addBuilt(const shared::BrickWork& work) {
-  used_ += work.totalWords;
-  headerWords_ += work.headerWords;
-  longestRun_ = std::max<std::uint64_t>(longestRun_, work.longestRun);
-}
-
-void RunStore::addStale(const shared::BrickWork& work) {
-  staleWords_ += work.staleWords;
-  staleHeaderWords_ += work.staleHeaderWords;
-}
-
-bool RunStore::compact(std::uint64_t besides) {
-  const std::uint64_t left = used_ - staleWords_;
-  if (static_cast<double>(used_) <= kHeadroom * static_cast<double>(left)) return true;
-  if (api_->software && longestRun_ > kMaxSoftwareCopy) {
-    forget();
+bool RunStore::makeRoom(std::uint64_t besides) {
+  if (known_.waitingWords == 0) return true;
+  // More will be asked for, and each time that the pool grows is a wait; fit() gives back what was too much.
+  const std::uint64_t waiting = std::max(known_.waitingWords, known_.longestWaiting);
+  const std::uint64_t wanted =
+      std::min(maxCapacity(), std::max(times(kGrowth, capacity()), times(2, known_.usedWords + waiting)));
+  if (wanted <= capacity()) {
+    lost_ = waiting;
     return false;
   }
+  resizePool(wanted, besides);
+  const GLuint none[] = {0, 0};
+  static_assert(offsetof(shared::BrickWork, longestWaiting) == offsetof(shared::BrickWork, waitingWords) + 4);
+  work_.write(offsetof(shared::BrickWork, waitingWords), none, sizeof(none));
+  return true;
+}
+
+void RunStore::fit(std::uint64_t besides) {
+  const std::uint64_t left = known_.usedWords - known_.staleWords;
+  if (left == 0) {
+    known_ = {};
+    work_.write(0, &known_, sizeof(known_));
+    resizePool(0, besides);
+  } else if (sparse() && movable()) {
+    compact(times(kHeadroom, left), besides);
+  } else if (capacity() < times(kMinHeadroom, known_.usedWords) || capacity() > times(kMaxHeadroom, known_.usedWords)) {
+    resizePool(std::min(maxCapacity(), times(kHeadroom, known_.usedWords)), besides);
+  }
+}
+
+void RunStore::resizePool(std::uint64_t words, std::uint64_t besides) {
+  const std::uint64_t kept = std::min<std::uint64_t>(words, known_.usedWords);
+  gl::Buffer pool;
+  resize(*api_, pool, words * kWordBytes, "A-buffer runs");
+  noteTransient(besides + std::min(runs_.bytes(), pool.bytes()));
+  // Runs (shaders) are copied.
+  api_->MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+  if (kept > 0)
+    api_->CopyNamedBufferSubData(runs_.name(), pool.name(), 0, 0, static_cast<GLsizeiptr>(kept * kWordBytes));
+  runs_ = std::move(pool);
+}
+
+bool RunStore::sparse() const {
+  const std::uint64_t left = known_.usedWords - known_.staleWords;
+  return static_cast<double>(known_.usedWords) > kHeadroom * static_cast<double>(left);
+}
+
+bool RunStore::movable() const { return !api_->software || known_.longestRun <= kMaxSoftwareCopy; }
+
+void RunStore::compact(std::uint64_t words, std::uint64_t besides) {
   if (!compactSum_) compactSum_.emplace(*api_, "tracing/identity/compact_runs.comp");
-  const std::uint64_t wanted =
-      std::min(capacity(), static_cast<std::uint64_t>(kHeadroom * static_cast<double>(left)) + 4);
-  gl::Buffer together(*api_, wanted * kWordBytes, "A-buffer runs");
-  noteTransient(besides + runs_.bytes());
+  gl::Buffer together;
+  resize(*api_, together, words * kWordBytes, "A-buffer runs");
+  noteTransient(besides + std::min(runs_.bytes(), together.bytes()));
   const auto bindItems = [&] {
     bind();
     together.bindStorage(SSBO_COMPACTED_RUNS);
@@ -135,22 +149,18 @@ bool RunStore::compact(std::uint64_t besides) {
   compactSum_->sum(brickCount(), bindItems);
   compactSum_->place(brickCount(), bindItems);
   runs_ = std::move(together);
-  used_ -= staleWords_;
-  headerWords_ -= staleHeaderWords_;
-  staleWords_ = staleHeaderWords_ = 0;
-  return true;
-}
-
-void RunStore::shrink() {
-  if (used_ == 0) resize(*api_, runs_, 0, "A-buffer runs");
+  known_.usedWords -= known_.staleWords;
+  known_.headerWords -= known_.staleHeaderWords;
+  known_.staleWords = known_.staleHeaderWords = 0;
+  work_.write(0, &known_, sizeof(known_));
 }
 
 void RunStore::report(TracerMemory& memory) const {
   memory.grid = grid_.voxels;
   memory.voxels = voxels_.bytes() + bricks_.bytes();
-  memory.heads = headerWords_ * kWordBytes;
+  memory.heads = known_.headerWords * kWordBytes;
   memory.poolReserved = runs_.bytes() - memory.heads;
-  memory.fragmentsStored = used_ - headerWords_ - (staleWords_ - staleHeaderWords_);
+  memory.fragmentsStored = known_.usedWords - known_.headerWords - (known_.staleWords - known_.staleHeaderWords);
   memory.poolUsed = memory.fragmentsStored * kWordBytes;
   memory.lostFragments = lost_;
   memory.bytesPerFragment = static_cast<double>(kWordBytes);

@@ -3,7 +3,6 @@
 #include <optional>
 #include <span>
 
-#include <halfsilver/gl/readback.h>
 #include <halfsilver/settings.h>
 #include <halfsilver/tracer.h>
 #include "tracing/grid.h"
@@ -15,6 +14,8 @@ namespace halfsilver {
 
 // The identity method's structure: a grid of bricks, each empty, missing or with its lists in one run of words; see
 // shaders/tracing/identity/bricks.glsl. Owns all of its memory, lets it grow, and closes the gaps of runs given up.
+//
+// Runs are placed and given up on the GPU. What the host knows of them is what follow() was told last.
 class RunStore {
  public:
   RunStore(const gl::Api& api, const Settings& settings);
@@ -26,8 +27,8 @@ class RunStore {
   void setOuter(std::span<const std::uint32_t> triangles);
   // Makes the grid and finds out which bricks are empty; the others are missing. Section "voxelize".
   void start(const FrameView& view, const Grid& bricks);
-  // Drops all runs: the bricks that have triangles are missing.
-  void forget();
+  // Drops all runs: the bricks that have triangles are missing. Reserves a pool for what rays may need, until fit().
+  void forget(const GpuScene& scene);
 
   const Grid& grid() const { return grid_; }  // of voxels
   const Grid& brickGrid() const { return brickGrid_; }
@@ -37,30 +38,31 @@ class RunStore {
   // SSBO_VOXELS, SSBO_BRICKS, SSBO_RUNS and SSBO_BRICK_WORK.
   void bind() const;
   void bindOuter() const { outer_.bindStorage(SSBO_OUTER); }
+  const gl::Buffer& work() const { return work_; }  // BrickWork
 
-  // Requests and counts, which shaders write.
-  const gl::Buffer& work() const { return work_; }
-  void clearWork();
-  shared::BrickWork readWork();  // waits for the GPU
+  // A copy of work(), made when no build was under way.
+  void follow(const shared::BrickWork& work) { known_ = work; }
+  // After follow(): makes room if runs wait for it. False if the device has no more: they are lost. `besides` are the
+  // bytes that a build holds meanwhile.
+  bool makeRoom(std::uint64_t besides);
+  // After follow(), when no more builds are to come: makes the pool as large as its runs, with a little headroom for
+  // the next frame's. Moves runs together if many words are stale.
+  void fit(std::uint64_t besides);
 
-  // Room behind the runs that are there: its first word, or nothing if the device has no more. `besides` are the bytes
-  // that a build holds meanwhile.
-  std::optional<std::uint32_t> makeRoom(std::uint64_t words, std::uint64_t besides);
-  void addBuilt(const shared::BrickWork& work);
-  void addLost(std::uint64_t words) { lost_ += words; }
-  void addStale(const shared::BrickWork& work);
   bool complete() const { return lost_ == 0; }  // every build has found room
-
-  // Moves runs together if many words are stale. False if a run is too long for that: then all are dropped.
-  bool compact(std::uint64_t besides);
-  // Gives back what an earlier geometry needed if this one needs nothing.
-  void shrink();
+  // Many words are stale, and a run is too long for the device to move: better drop them all.
+  bool stuck() const { return sparse() && !movable(); }
 
   void report(TracerMemory& memory) const;  // all but fragments made
   void beginFrame() { transient_ = 0; }
 
  private:
   std::uint64_t capacity() const { return runs_.bytes() / sizeof(GLuint); }  // words
+  std::uint64_t maxCapacity() const;
+  bool sparse() const;
+  bool movable() const;
+  void resizePool(std::uint64_t words, std::uint64_t besides);
+  void compact(std::uint64_t words, std::uint64_t besides);
   void noteTransient(std::uint64_t bytes) { transient_ = std::max(transient_, bytes); }
 
   const gl::Api* api_;
@@ -70,18 +72,12 @@ class RunStore {
   VoxelPass voxelPass_;
   gl::Program beginBricks_;
   std::optional<PrefixSum> compactSum_;  // made when it is first needed
-  gl::BlockingRead read_;
 
   Grid grid_, brickGrid_;
   Voxels voxels_;  // of the brick grid
   gl::Buffer bricks_, runs_, outer_, work_;
-  // Words.
-  std::uint64_t used_ = 0;              // in runs
-  std::uint64_t headerWords_ = 0;       // of those, before the entries
-  std::uint64_t staleWords_ = 0;        // in runs that were given up
-  std::uint64_t staleHeaderWords_ = 0;  // of those, before the entries
-  std::uint64_t longestRun_ = 0;
-  std::uint64_t lost_ = 0;       // that found no room
+  shared::BrickWork known_{};
+  std::uint64_t lost_ = 0;       // words that found no room
   std::uint64_t transient_ = 0;  // bytes, see TracerMemory
 };
 

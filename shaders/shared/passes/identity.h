@@ -14,6 +14,7 @@
 // Voxels along a side of a brick. A brick's state is the place of its run, or one of these.
 #define BRICK_SHIFT 2
 #define BRICK_SIDE (1 << BRICK_SHIFT)
+#define VOXELS_PER_BRICK (BRICK_SIDE * BRICK_SIDE * BRICK_SIDE)
 #define BRICK_EMPTY 0xffffffffu      // no triangle touches it
 #define BRICK_MISSING 0xfffffffeu    // never asked for
 #define BRICK_CLAIMED 0xfffffffdu    // a ray is about to ask for it
@@ -27,14 +28,29 @@
 
 // What rays ask for, and what becomes of it.
 struct BrickWork {
-  uint requestedBricks;
-  uint totalWords;        // the last prefix sum
-  uint headerWords;       // before the entries, of the runs that are built
-  uint longestRun;        // of these, words
-  uint staleWords;        // of runs that were given up
+  // Of the build under way: groups of its indirect dispatches over bricks, triangles and builds.
+  uint brickGroupsX;
+  uint brickGroupsY;
+  uint brickGroupsZ;
+  uint triangleGroupsX;
+  uint triangleGroupsY;
+  uint triangleGroupsZ;
+  uint buildGroupsX;
+  uint buildGroupsY;
+  uint buildGroupsZ;
+  uint buildCount;
+  uint nextWord;         // behind the runs that have been placed, and beyond if one found no room
+  uint requestedBricks;  // since the last build
+  uint waitingWords;     // of runs that found no room, at most MAX_WAITING_WORDS each
+  uint longestWaiting;   // of these, words
+  uint usedWords;        // of all runs
+  uint headerWords;      // of these, before the entries
+  uint longestRun;       // words
+  uint staleWords;       // of runs that were given up
   uint staleHeaderWords;  // of these, before the entries
-  uint padding0;
-  uint padding1;
+  uint padding;
 };
+// Keeps the sum of waiting words in a word.
+#define MAX_WAITING_WORDS 0x1ffffu
 
 #endif

@@ -3,7 +3,7 @@
 
 struct BrickBuild {
   uint brick;
-  uint run;                                         // place of its run
-  uint next[BRICK_SIDE * BRICK_SIDE * BRICK_SIDE];  // entries counted for each voxel; then where its next entry goes
+  uint run;                     // place of its run, or BRICK_MISSING if it found none
+  uint next[VOXELS_PER_BRICK];  // entries counted for each voxel; then where its next entry goes
 };
 layout(std430, binding = SSBO_BRICK_BUILDS) coherent buffer BrickBuildBlock { BrickBuild builds[]; };

@@ -1,4 +1,5 @@
-// Notes the bricks that rays wait for, so that the rest of a build goes over those alone. One invocation per brick.
+// Begins the builds of the bricks that rays wait for, so that the steps to come go over those alone. One invocation per
+// brick.
 #include "shared/passes/identity.h"
 #include "tracing/identity/brick_build.glsl"
 #include "tracing/identity/bricks.glsl"
@@ -8,5 +9,10 @@ uniform uint brickCount;
 
 void main() {
   uint brick = gl_GlobalInvocationID.x + gl_GlobalInvocationID.y * gl_NumWorkGroups.x * gl_WorkGroupSize.x;
-  if (brick < brickCount && requested(bricks[brick])) builds[bricks[brick] - BRICK_REQUESTED].brick = brick;
+  if (brick >= brickCount) return;
+  uint state = bricks[brick];
+  if (!requested(state)) return;
+  uint build = state - BRICK_REQUESTED;
+  builds[build].brick = brick;
+  for (uint i = 0u; i < VOXELS_PER_BRICK; ++i) builds[build].next[i] = 0u;
 }

@@ -1,40 +1,54 @@
-// Sums up the words of each requested brick's run; places it behind the runs that are there, with its header. Items are
-// builds.
+// Places the run of each build behind the runs that are there, with its header, or gives the build up if there is no
+// room. One invocation per build. The order of runs is that of the invocations: no list depends on it.
 #define RUN_ACCESS
 #include "shared/passes/identity.h"
 #include "tracing/identity/brick_build.glsl"
 #include "tracing/identity/brick_work.glsl"
 #include "tracing/identity/bricks.glsl"
-#include "tracing/identity/prefix_sum.glsl"
 
-uniform uint firstWord;
-const uint voxelsOfBrick = BRICK_SIDE * BRICK_SIDE * BRICK_SIDE;
+layout(local_size_x = 64) in;
 
-uint valueOf(uint item) {
-  uint words = 2u;
-  for (uint i = 0u; i < voxelsOfBrick; ++i) {
-    uint count = builds[item].next[i];
-    words += count > 0u ? count + 1u : 0u;
+// The place, or BRICK_MISSING. Whoever finds no room leaves `nextWord` behind the pool's end, so nobody after it finds
+// any, and runs have no gaps between them.
+uint reserve(uint words) {
+  uint capacity = uint(runs.length()), run = capacity;
+  if (brickWork.nextWord < capacity) run = atomicAdd(brickWork.nextWord, words);
+  if (run < capacity && words <= capacity - run) {
+    atomicMax(brickWork.usedWords, run + words);
+    return run;
   }
-  if (words > brickWork.longestRun) atomicMax(brickWork.longestRun, words);
-  return words;
+  atomicAdd(brickWork.waitingWords, min(words, MAX_WAITING_WORDS));
+  atomicMax(brickWork.longestWaiting, words);
+  return BRICK_MISSING;
 }
 
-void store(uint item, uint sum) {
-  uint run = firstWord + sum;
+void main() {
+  uint build = gl_GlobalInvocationID.x + gl_GlobalInvocationID.y * gl_NumWorkGroups.x * gl_WorkGroupSize.x;
+  if (build >= brickWork.buildCount) return;
+  uint lists = 0u, entries = 0u;
+  for (uint i = 0u; i < VOXELS_PER_BRICK; ++i) {
+    uint count = builds[build].next[i];
+    lists += count > 0u ? 1u : 0u;
+    entries += count;
+  }
+  uint words = 2u + lists + entries, run = reserve(words);
+  builds[build].run = run;
+  if (run == BRICK_MISSING) {
+    bricks[builds[build].brick] = BRICK_MISSING;  // nothing is to be stored
+    return;
+  }
   uvec2 occupied = uvec2(0u);
   uint ends = run + 2u, list = 0u, end = 0u;
-  for (uint i = 0u; i < voxelsOfBrick; ++i) {
-    uint count = builds[item].next[i];
+  for (uint i = 0u; i < VOXELS_PER_BRICK; ++i) {
+    uint count = builds[build].next[i];
     if (count == 0u) continue;
     occupied[i >> 5] |= 1u << (i & 31u);
-    builds[item].next[i] = end;
+    builds[build].next[i] = ends + lists + end;
     end += count;
     runs[ends + list++] = end;
   }
   runs[run] = occupied.x;
   runs[run + 1u] = occupied.y;
-  builds[item].run = run;
-  for (uint i = 0u; i < voxelsOfBrick; ++i) builds[item].next[i] += ends + list;
-  atomicAdd(brickWork.headerWords, 2u + list);
+  atomicAdd(brickWork.headerWords, 2u + lists);
+  atomicMax(brickWork.longestRun, words);
 }

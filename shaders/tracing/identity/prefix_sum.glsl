@@ -1,8 +1,7 @@
 // Exclusive prefix sums over many items, in three dispatches (Blelloch 1990): sums of blocks (STEP 0), prefix sums of
-// those and the total (STEP 1, one group), then the items' own (STEP 2). The program that includes this file defines
+// those (STEP 1, one group), then the items' own (STEP 2). The program that includes this file defines
 // what is summed and what becomes of it.
 #include "shared/passes/identity.h"
-#include "tracing/identity/brick_work.glsl"
 
 layout(local_size_x = SUM_GROUP) in;
 layout(std430, binding = SSBO_BLOCK_SUMS) buffer BlockSumBlock { uint blockSums[]; };
@@ -14,9 +13,6 @@ void store(uint item, uint sum);  // the sum of the items before it
 
 shared uint partial[SUM_GROUP];
 
-// Sums that do not fit a word saturate, and a saturated sum finds no room anywhere.
-uint plus(uint a, uint b) { return a + b < a ? 0xffffffffu : a + b; }
-
 // Inclusive sums of the group's values.
 uint groupSum(uint value) {
   uint lane = gl_LocalInvocationIndex;
@@ -25,7 +21,7 @@ uint groupSum(uint value) {
   for (uint reach = 1u; reach < SUM_GROUP; reach *= 2u) {
     uint other = lane >= reach ? partial[lane - reach] : 0u;
     barrier();
-    partial[lane] = plus(partial[lane], other);
+    partial[lane] += other;
     barrier();
   }
   return partial[lane];
@@ -39,10 +35,9 @@ void main() {
     uint value = first + lane < blockCount ? blockSums[first + lane] : 0u;
     uint sum = groupSum(value);
     if (first + lane < blockCount) blockSums[first + lane] = carry + sum - value;
-    carry = plus(carry, partial[SUM_GROUP - 1]);
+    carry += partial[SUM_GROUP - 1];
     barrier();
   }
-  if (lane == 0u) brickWork.totalWords = carry;
 #else
   uint block = gl_WorkGroupID.x + gl_WorkGroupID.y * gl_NumWorkGroups.x;
   if (block >= blockCount) return;

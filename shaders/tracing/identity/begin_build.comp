@@ -1,0 +1,40 @@
+// Begins a build of the bricks that rays have asked for: how much its steps have to do, which is nothing if there are
+// no requests. While runs wait for room, requests wait, too. One invocation.
+#include "shared/passes/identity.h"
+#include "shared/passes/listed_triangles.h"
+#include "tracing/common/listed_triangles.glsl"
+#include "tracing/identity/brick_work.glsl"
+
+layout(local_size_x = 1) in;
+uniform uint maxRequests;
+uniform uint brickCount;
+uniform uint triangleCount;
+
+// Of 64 invocations each, in rows; see dispatchFor().
+uvec3 groupsFor(uint items) {
+  uint groups = (items + 63u) / 64u;
+  return uvec3(min(groups, MAX_TRIANGLE_GROUPS), (groups + MAX_TRIANGLE_GROUPS - 1u) / MAX_TRIANGLE_GROUPS, 1u);
+}
+
+void main() {
+  bool room = brickWork.waitingWords == 0u;
+  uint count = room ? min(brickWork.requestedBricks, maxRequests) : 0u;
+  if (room) brickWork.requestedBricks = 0u;
+  brickWork.buildCount = count;
+  brickWork.nextWord = brickWork.usedWords;
+  uvec3 groups = groupsFor(count > 0u ? brickCount : 0u);
+  brickWork.brickGroupsX = groups.x;
+  brickWork.brickGroupsY = groups.y;
+  brickWork.brickGroupsZ = groups.z;
+  groups = groupsFor(count > 0u ? triangleCount : 0u);
+  brickWork.triangleGroupsX = groups.x;
+  brickWork.triangleGroupsY = groups.y;
+  brickWork.triangleGroupsZ = groups.z;
+  groups = groupsFor(count);
+  brickWork.buildGroupsX = groups.x;
+  brickWork.buildGroupsY = groups.y;
+  brickWork.buildGroupsZ = groups.z;
+  listed.largeVertices = 0u;
+  listed.smallGroupsX = 0u;
+  listed.smallCount = 0u;
+}
