@@ -14,36 +14,47 @@ namespace shared {
 static_assert(offsetof(Resume, vertices) == 0);
 static_assert(offsetof(Resume, groupsX) == 16);
 static_assert(offsetof(Resume, times) == 28);
-static_assert(sizeof(Resume) == 32);
+static_assert(offsetof(Resume, count) == 32);
+static_assert(offsetof(Resume, readFrom) == 36);
+static_assert(offsetof(Resume, writeTo) == 40);
+static_assert(offsetof(Resume, waitingGroupsX) == 48);
+static_assert(sizeof(Resume) == 64);
+static_assert(TRACE_GROUP == TracePass::kGroup);
 
 }  // namespace shared
 
 namespace {
 
-// Iterations after which a ray yields if the driver stops shaders at 65,535 of them in a vector of eight rays.
-constexpr int kSoftwareWorkLimit = 4000;
+// Rays and their indices, twice.
+std::uint64_t resumeBytes(std::uint64_t rays) { return sizeof(shared::Resume) + 2 * rays * sizeof(GLuint); }
+
 // Dispatches after which the rest is given up; a ray does at least a voxel in each.
 constexpr int kMaxDispatches = 1024;
 
 }  // namespace
 
 TracePass::TracePass(const gl::Api& api, TraceStage stage, const std::string& folder,
-                     std::span<const gl::Define> defines)
+                     std::span<const gl::Define> defines, Batch batch)
     : api_(&api),
       stage_(stage),
+      raysPerGroup_(batch.raysPerGroup),
+      softwareWorkLimit_(batch.softwareWorkLimit),
       program_(stage == TraceStage::compute
                    ? gl::Program::compute(api, folder + "/trace.comp", defines)
                    : gl::Program::raster(api, "passes/fullscreen.vert", folder + "/trace.frag", defines)),
       resume_(gl::Program::compute(api, "tracing/common/resume.comp")),
       vertexArray_(api),
-      resumeWork_(api, sizeof(shared::Resume), "resumed rays"),
       look_(api) {}
 
-void TracePass::dispatch(const RayQueue& rays, bool resuming) const {
+void TracePass::dispatchIndirect(std::size_t arguments) const {
+  api_->BindBuffer(GL_DISPATCH_INDIRECT_BUFFER, resumeWork_.name());
+  api_->DispatchComputeIndirect(static_cast<GLintptr>(arguments));
+}
+
+void TracePass::dispatch(const RayQueue& rays) const {
   program_.use();
   if (stage_ == TraceStage::compute) {
-    api_->BindBuffer(GL_DISPATCH_INDIRECT_BUFFER, resuming ? resumeWork_.name() : rays.count.name());
-    api_->DispatchComputeIndirect(resuming ? offsetof(shared::Resume, groupsX) : 0);
+    dispatchIndirect(offsetof(shared::Resume, groupsX));
   } else {
     // Fragments beyond the queue's count end at once; the count itself stays on the GPU.
     const auto rowLength = static_cast<GLuint>(std::min(api_->limits.framebufferSize, 8192));
@@ -53,12 +64,8 @@ void TracePass::dispatch(const RayQueue& rays, bool resuming) const {
     gl::DrawState{.viewport = {0, 0, rowLength, rows}}.apply(*api_);
     vertexArray_.bind();
     program_.set("rowLength", rowLength);
-    if (resuming) {
-      api_->BindBuffer(GL_DRAW_INDIRECT_BUFFER, resumeWork_.name());
-      api_->DrawArraysIndirect(GL_TRIANGLES, nullptr);
-    } else {
-      api_->DrawArrays(GL_TRIANGLES, 0, 3);
-    }
+    api_->BindBuffer(GL_DRAW_INDIRECT_BUFFER, resumeWork_.name());
+    api_->DrawArraysIndirect(GL_TRIANGLES, nullptr);
   }
   // Hits and counts (trace) are read by the next dispatch, by shading and by the host.
   api_->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
@@ -72,9 +79,12 @@ void TracePass::bind(const FrameView& view, const RayQueue& rays, const Hits& hi
   hits.hits.bindStorage(SSBO_HITS);
   if (hits.surfaces) hits.surfaces.bindStorage(SSBO_HIT_SURFACES);
   paused_.bindStorage(SSBO_PAUSED);
+  resumeWork_.bindStorage(SSBO_RESUME);
 }
 
-void TracePass::prepareResume(const RayQueue& rays) const {
+void TracePass::prepare(const RayQueue& rays, bool resuming) const {
+  resume_.set("resuming", resuming ? 1 : 0);
+  resume_.set("raysPerGroup", static_cast<GLuint>(raysPerGroup_));
   rays.count.bindStorage(SSBO_RAY_COUNT);
   resumeWork_.bindStorage(SSBO_RESUME);
   resume_.use();
@@ -91,23 +101,26 @@ int TracePass::run(const FrameView& view, const RayQueue& rays, const Hits& hits
   if (paused_.bytes() < pausedBytes) {
     paused_ = gl::Buffer();
     paused_ = gl::Buffer(*api_, pausedBytes, "paused rays");
+    resumeWork_ = gl::Buffer();
+    resumeWork_ = gl::Buffer(*api_, resumeBytes(once ? 1 : rays.capacity), "resumed rays");
   }
-  resumeWork_.fill(0);
+  const shared::Resume none{};
+  resumeWork_.write(0, &none, sizeof(none));
   // The queue (selection, shading) is read as arguments of the dispatch and by the trace.
   api_->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
-  program_.set("workLimit", limited ? kSoftwareWorkLimit : std::numeric_limits<int>::max());
+  program_.set("workLimit", limited ? softwareWorkLimit_ : std::numeric_limits<int>::max());
+  prepare(rays, false);
   bool more = !once;
   int untilLook = dispatches, between = dispatches;
   for (int i = 1;; ++i) {
     const bool last = !more || i == kMaxDispatches || (structure.certain && i == dispatches);
     {
       const auto scope = view.profiler.section("trace");
-      if (i > 1) prepareResume(rays);
       bind(view, rays, hits);
       structure.bind();
       program_.set("resuming", i > 1 ? 1 : 0);
       program_.set("lastDispatch", last ? 1 : 0);
-      dispatch(rays, i > 1);
+      dispatch(rays);
     }
     if (last) return i;
     if (--untilLook == 0) {
@@ -124,7 +137,15 @@ int TracePass::run(const FrameView& view, const RayQueue& rays, const Hits& hits
       if (done) return 1 + static_cast<int>(look_.values(times)[0]);
       untilLook = between *= 2;
     }
-    if (more && structure.supply) structure.supply();
+    prepare(rays, true);
+    if (more && structure.supply) {
+      structure.supply([&](const gl::Program& program) {
+        bind(view, rays, hits);
+        program.use();
+        dispatchIndirect(offsetof(shared::Resume, waitingGroupsX));
+        api_->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);  // what waiting rays ask for is read by what makes it
+      });
+    }
   }
 }
 

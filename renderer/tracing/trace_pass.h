@@ -16,19 +16,31 @@ namespace halfsilver {
 // dispatch, or in several if rays wait for something or the driver's loops end.
 class TracePass {
  public:
+  static constexpr int kGroup = 64;  // invocations
+  struct Batch {
+    int raysPerGroup = kGroup;
+    // Iterations, by the method's own count, after which it leaves the rest to the next dispatch if the driver stops
+    // shaders at 65,535 of them in a vector of eight invocations.
+    int softwareWorkLimit = 4000;
+  };
+
   // `folder` below shaders/: holds trace.comp and trace.frag of the method.
-  TracePass(const gl::Api& api, TraceStage stage, const std::string& folder, std::span<const gl::Define> defines);
+  TracePass(const gl::Api& api, TraceStage stage, const std::string& folder, std::span<const gl::Define> defines,
+            Batch batch);
+  TracePass(const gl::Api& api, TraceStage stage, const std::string& folder, std::span<const gl::Define> defines)
+      : TracePass(api, stage, folder, defines, Batch()) {}
 
   // For the method's own uniforms.
   const gl::Program& program() const { return program_; }
-  std::uint64_t bytes() const { return paused_.bytes(); }  // of rays that pause between dispatches
+  std::uint64_t bytes() const { return paused_.bytes() + resumeWork_.bytes(); }  // of rays that pause
 
   // What the method adds.
   struct Structure {
     // Binds all that its search reads; called before every dispatch.
     std::function<void()> bind;
-    // Called between two dispatches: has the GPU make what rays wait for, nothing if none do. Empty if rays never wait.
-    std::function<void()> supply = {};
+    // Called between two dispatches: has the GPU make what rays wait for, nothing if none do. What it is called with
+    // runs a program of TRACE_GROUP invocations per group over the rays that wait. Empty if rays never wait.
+    std::function<void(const std::function<void(const gl::Program&)>& overWaiting)> supply = {};
     // Called where the host looks how far the rays are: what it needs to know besides is copied, and settled once it
     // has arrived. `done`: all rays are through. False: nothing more comes, and what the next dispatch leaves is
     // overflow.
@@ -46,15 +58,18 @@ class TracePass {
 
  private:
   void bind(const FrameView& view, const RayQueue& rays, const Hits& hits) const;
-  void dispatch(const RayQueue& rays, bool resuming) const;
-  void prepareResume(const RayQueue& rays) const;
+  void dispatchIndirect(std::size_t arguments) const;
+  void dispatch(const RayQueue& rays) const;
+  void prepare(const RayQueue& rays, bool resuming) const;
 
   const gl::Api* api_;
   TraceStage stage_;
+  int raysPerGroup_;
+  int softwareWorkLimit_;
   gl::Program program_, resume_;
   gl::EmptyVertexArray vertexArray_;
   gl::Buffer paused_;      // PausedRay[capacity of the largest queue]
-  gl::Buffer resumeWork_;  // Resume
+  gl::Buffer resumeWork_;  // Resume, two lists of rays
   gl::Readback look_;
 };
 

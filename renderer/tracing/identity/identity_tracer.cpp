@@ -13,6 +13,14 @@ constexpr int kKeptLookAhead = 16;  // if most bricks are there from earlier fra
 constexpr int kMaxLookAhead = 4096;
 // Dispatches before the host looks whether rays still wait: as many as they mostly need.
 constexpr int kFirstDispatches = 6, kKeptDispatches = 2;
+// Iterations of all loops of an invocation, by the search's own count, on drivers that stop at 65,535. The rest is for
+// the rays that an invocation then puts off.
+constexpr int kSoftwareWorkLimit = 62000;
+// Rays per invocation. On software rasterizers, with few processors, an invocation takes several in turn, so that its
+// neighbors wait less for a long one; hardware wants as many groups as it can get.
+constexpr int kSoftwareRays = 8, kRays = 1;
+
+int raysPerInvocation(const gl::Api& api) { return api.software ? kSoftwareRays : kRays; }
 
 }  // namespace
 
@@ -29,7 +37,12 @@ IdentityTracer::IdentityTracer(const gl::Api& api, const Settings& settings)
     : keep_(settings.identity.keep),
       store_(api, settings),
       builder_(api),
-      tracePass_(api, settings.trace.stage, "tracing/identity", {}) {}
+      request_(gl::Program::compute(api, "tracing/identity/request.comp")),
+      tracePass_(api, settings.trace.stage, "tracing/identity", {},
+                 {.raysPerGroup = TracePass::kGroup * raysPerInvocation(api), .softwareWorkLimit = kSoftwareWorkLimit}) {
+  if (settings.trace.stage == TraceStage::compute)
+    tracePass_.program().set("raysPerInvocation", static_cast<GLuint>(raysPerInvocation(api)));
+}
 
 void IdentityTracer::update(const FrameView& view, const SceneChange& change) {
   store_.beginFrame();
@@ -65,9 +78,7 @@ void IdentityTracer::update(const FrameView& view, const SceneChange& change) {
 void IdentityTracer::trace(const FrameView& view, const RayQueue& rays, Hits& hits) {
   const gl::Program& program = tracePass_.program();
   store_.grid().apply(program);
-  int lookAhead = firstLookAhead_;
-  program.set("lookAhead", lookAhead);
-  program.set("maxRequests", RunBuilder::kMaxRequests);
+  store_.entryLayout().apply(program);
   TracePass::Structure structure;
   structure.bind = [&] {
     store_.bind();
@@ -82,10 +93,15 @@ void IdentityTracer::trace(const FrameView& view, const RayQueue& rays, Hits& hi
   }
 
   structure.dispatches = dispatchesToLook_;
-  structure.supply = [&] {
+  int lookAhead = firstLookAhead_;
+  store_.grid().apply(request_);
+  request_.set("maxRequests", RunBuilder::kMaxRequests);
+  structure.supply = [&](const auto& overWaiting) {
     const auto scope = view.profiler.section("build");
+    request_.set("lookAhead", lookAhead);
     lookAhead = std::min(2 * lookAhead, kMaxLookAhead);
-    program.set("lookAhead", lookAhead);
+    store_.bind();
+    overWaiting(request_);
     builder_.buildRequested(view.scene, store_);
   };
   gl::Readback::Slice<shared::BrickWork> work;

@@ -36,6 +36,7 @@ class IdentityTracer final : public Tracer {
   bool keep_;
   RunStore store_;
   RunBuilder builder_;
+  gl::Program request_;
   TracePass tracePass_;
   bool built_ = false;  // for the geometry of the last update
 

@@ -74,7 +74,10 @@ void RunBuilder::dispatchForBuilds(const gl::Program& program, std::size_t argum
 }
 
 void RunBuilder::visitBuilds(bool secondStep, const GpuScene& scene, const RunStore& store) const {
-  for (const gl::Program* program : {&build_.small, &build_.large}) program->set("secondStep", secondStep ? 1 : 0);
+  for (const gl::Program* program : {&build_.small, &build_.large}) {
+    program->set("secondStep", secondStep ? 1 : 0);
+    store.entryLayout().apply(*program);
+  }
   brickBuilds_.bindStorage(SSBO_BRICK_BUILDS);
   visit(build_, store.grid(), scene, store);
 }
@@ -113,6 +116,7 @@ void RunBuilder::giveUpMoved(const GpuScene& scene, std::span<const VertexRange>
     triangles_.choose(collectMoved_, scene);
     visit(markMoved_, grid, scene, store);
   }
+  store.growEmpty();
   transient_ = std::max(transient_, bytes());
 }
 

@@ -38,6 +38,7 @@ RunStore::RunStore(const gl::Api& api, const Settings& settings)
       ownAxis_(settings.voxels.axis == AxisRule::own),
       voxelPass_(api, VoxelRaster::conservative, settings.voxels.axis),
       beginBricks_(gl::Program::compute(api, "tracing/identity/begin_bricks.comp")),
+      growEmpty_(gl::Program::compute(api, "tracing/identity/grow_empty.comp")),
       work_(api, sizeof(shared::BrickWork), "work on bricks") {}
 
 Grid RunStore::brickGridOf(const GpuScene& scene) const {
@@ -55,6 +56,7 @@ void RunStore::setOuter(std::span<const std::uint32_t> triangles) {
 void RunStore::start(const FrameView& view, const Grid& bricks) {
   grid_ = brickGrid_ = bricks;
   grid_.voxels *= BRICK_SIDE;
+  entryLayout_ = EntryLayout::of(view.scene.triangleCount);
   voxelPass_.run(view.scene, view.profiler, brickGrid_, voxels_);
   noteTransient(voxelPass_.transientBytes());
   const auto scope = view.profiler.section("voxelize");
@@ -71,8 +73,21 @@ void RunStore::forget(const GpuScene& scene) {
   bind();
   beginBricks_.set("brickCount", brickCount());
   dispatchFor(*api_, beginBricks_, brickCount());
-  // States (compute) are read and written by the trace.
+  // States (compute) are read by the next step.
   api_->MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
+  growEmpty();
+}
+
+void RunStore::growEmpty() const {
+  bind();
+  grid_.apply(growEmpty_);
+  growEmpty_.set("brickCount", brickCount());
+  for (int power = 0; power < MAX_EMPTY_SIDE; ++power) {
+    growEmpty_.set("power", power);
+    dispatchFor(*api_, growEmpty_, brickCount());
+    // States (this step) are read by the next one, by builds and by the trace.
+    api_->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+  }
 }
 
 void RunStore::bind() const {

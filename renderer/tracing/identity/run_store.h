@@ -7,6 +7,7 @@
 #include <halfsilver/tracer.h>
 #include "tracing/grid.h"
 #include "tracing/identity/brick_work.h"
+#include "tracing/identity/entry_layout.h"
 #include "tracing/identity/prefix_sum.h"
 #include "tracing/voxel_pass.h"
 
@@ -31,9 +32,13 @@ class RunStore {
   void forget(const GpuScene& scene);
 
   const Grid& grid() const { return grid_; }  // of voxels
+  EntryLayout entryLayout() const { return entryLayout_; }
   const Grid& brickGrid() const { return brickGrid_; }
   std::uint32_t brickCount() const { return static_cast<std::uint32_t>(brickGrid_.voxelCount()); }
   bool ownAxis() const { return ownAxis_; }  // each triangle is in the A-buffer of its own dominant axis
+
+  // Finds the empty cubes that empty bricks begin; to be called after triangles have come to other bricks.
+  void growEmpty() const;
 
   // SSBO_VOXELS, SSBO_BRICKS, SSBO_RUNS and SSBO_BRICK_WORK.
   void bind() const;
@@ -70,10 +75,11 @@ class RunStore {
   double voxelsPerTriangle_;
   bool ownAxis_;
   VoxelPass voxelPass_;
-  gl::Program beginBricks_;
+  gl::Program beginBricks_, growEmpty_;
   std::optional<PrefixSum> compactSum_;  // made when it is first needed
 
   Grid grid_, brickGrid_;
+  EntryLayout entryLayout_;
   Voxels voxels_;  // of the brick grid
   gl::Buffer bricks_, runs_, outer_, work_;
   shared::BrickWork known_{};

@@ -15,10 +15,14 @@
 #define BRICK_SHIFT 2
 #define BRICK_SIDE (1 << BRICK_SHIFT)
 #define VOXELS_PER_BRICK (BRICK_SIDE * BRICK_SIDE * BRICK_SIDE)
-#define BRICK_EMPTY 0xffffffffu      // no triangle touches it
-#define BRICK_MISSING 0xfffffffeu    // never asked for
-#define BRICK_CLAIMED 0xfffffffdu    // a ray is about to ask for it
+#define BRICK_EMPTY 0xc0000000u      // no triangle touches it; + the sides of empty cubes that it begins
+#define BRICK_MISSING 0xbfffffffu    // never asked for
+#define BRICK_CLAIMED 0xbffffffeu    // a ray is about to ask for it
 #define BRICK_REQUESTED 0x80000000u  // + its number among those that rays wait for
+
+// Sides of empty cubes in bricks, as powers of two: bits for each of the eight directions, and the largest power.
+#define EMPTY_SIDE_BITS 3u
+#define MAX_EMPTY_SIDE 4
 
 // A brick's voxel in the packed grid (see shared/tracing.h): triangles of the last move came to it.
 #define VOXEL_MOVED 8u

@@ -4,18 +4,29 @@
 
 #define SSBO_HIT_SURFACES 9  // HitSurface[], if the method stores attributes
 #define SSBO_PAUSED 10       // PausedRay[]
-#define SSBO_RESUME 6        // Resume; a trace reads no paths
+#define SSBO_RESUME 6        // Resume, then two lists of ray indices; a trace reads no paths
 
-// The next dispatch of a trace: nothing if all rays are through.
+// Invocations per group of dispatches over rays.
+#define TRACE_GROUP 64
+
+// The next dispatch of a trace, over all rays or those that the last one left: nothing if all are through.
 struct Resume {
   uint vertices;  // an indirect draw: the stage is fragments
   uint instances;
   uint firstVertex;
   uint firstInstance;
-  uint groupsX;  // an indirect dispatch
+  uint groupsX;  // an indirect dispatch of the trace
   uint groupsY;
   uint groupsZ;
   uint times;  // that there was something left
+  uint count;     // of rays to trace
+  uint readFrom;  // where their list begins
+  uint writeTo;   // where the list of those that this dispatch leaves begins
+  uint padding0;
+  uint waitingGroupsX;  // an indirect dispatch of an invocation per ray
+  uint waitingGroupsY;
+  uint waitingGroupsZ;
+  uint padding1;
 };
 
 #endif

@@ -1,20 +1,41 @@
-// Between two dispatches of a trace: the next one has nothing to do unless rays are unfinished. One invocation.
+// Before each dispatch of a trace: the first one goes over all rays, the others over those that are unfinished. One
+// invocation.
 #include "shared/bindings.h"
 #include "shared/passes/trace.h"
 #include "shared/rays.h"
 
 layout(local_size_x = 1) in;
 layout(std430, binding = SSBO_RAY_COUNT) coherent buffer RayCountBlock { RayCount rayCount; };
-layout(std430, binding = SSBO_RESUME) buffer ResumeBlock { Resume resume; };
+layout(std430, binding = SSBO_RESUME) buffer ResumeBlock {
+  Resume resume;
+  uint waiting[];
+};
+uniform int resuming;
+uniform uint raysPerGroup;
+
+// In rows of as many groups as OpenGL guarantees.
+uvec3 groupsFor(uint rays, uint perGroup) {
+  uint groups = (rays + perGroup - 1u) / perGroup;
+  return uvec3(min(groups, 65535u), (groups + 65534u) / 65535u, 1u);
+}
 
 void main() {
-  uint some = rayCount.unfinished > 0u ? 1u : 0u;
-  resume.vertices = 3u * some;
+  uint count = resuming == 1 ? rayCount.unfinished : rayCount.count;
+  resume.count = count;
+  resume.times += resuming == 1 && count > 0u ? 1u : 0u;
+  resume.vertices = count > 0u ? 3u : 0u;
   resume.instances = 1u;
   resume.firstVertex = resume.firstInstance = 0u;
-  resume.groupsX = some * rayCount.groupsX;
-  resume.groupsY = rayCount.groupsY;
-  resume.groupsZ = rayCount.groupsZ;
-  resume.times += some;
+  uvec3 groups = groupsFor(count, raysPerGroup);
+  resume.groupsX = groups.x;
+  resume.groupsY = groups.y;
+  resume.groupsZ = groups.z;
+  groups = groupsFor(count, TRACE_GROUP);
+  resume.waitingGroupsX = groups.x;
+  resume.waitingGroupsY = groups.y;
+  resume.waitingGroupsZ = groups.z;
+  uint other = uint(waiting.length()) / 2u;
+  resume.readFrom = resuming == 1 ? resume.writeTo : other;
+  resume.writeTo = other - resume.readFrom;
   rayCount.unfinished = 0u;
 }

@@ -4,6 +4,6 @@
 layout(local_size_x = 64) in;
 
 void main() {
-  uint index = (gl_WorkGroupID.x + gl_WorkGroupID.y * gl_NumWorkGroups.x) * gl_WorkGroupSize.x + gl_LocalInvocationID.x;
-  if (index < rayCount.count) traceRay(index);
+  uint number = (gl_WorkGroupID.x + gl_WorkGroupID.y * gl_NumWorkGroups.x) * gl_WorkGroupSize.x + gl_LocalInvocationID.x;
+  if (number < raysToTrace()) traceRay(number);
 }

@@ -5,6 +5,6 @@ uniform uint rowLength;
 
 void main() {
   uvec2 texel = uvec2(gl_FragCoord.xy);
-  uint index = texel.y * rowLength + texel.x;
-  if (index < rayCount.count) traceRay(index);
+  uint number = texel.y * rowLength + texel.x;
+  if (number < raysToTrace()) traceRay(number);
 }

@@ -10,7 +10,7 @@ struct TraceRay {
   vec3 origin, direction;      // world
   vec3 gridOrigin, gridDirection;
   uint excluded;               // triangle that the ray starts on
-  float least;                 // hits nearer are ignored, meters
+  float least, most;           // hits nearer or farther are none, meters
   RayShear shear;
 };
 

@@ -2,7 +2,7 @@
 #include "lib/triangles.glsl"
 #include "tracing/common/projections.glsl"
 #include "tracing/common/touched_voxels.glsl"
-#include "tracing/identity/entry.glsl"
+#include "tracing/identity/add_entry.glsl"
 
 layout(location = 0) flat in uint inTriangle;
 layout(location = 1) flat in int inAxis;

@@ -1,37 +1,36 @@
-// Entries of the lists of requested bricks: counted, then stored. Both steps are one program, so that they see the same
-// voxels whatever the compiler makes of the arithmetic.
-#define RUN_ACCESS
-#include "shared/passes/identity.h"
-#include "shared/tracing.h"
-#include "tracing/common/counters.glsl"
-#include "tracing/common/projections.glsl"
-#include "tracing/common/voxel_store.glsl"
-#include "tracing/identity/brick_build.glsl"
-#include "tracing/identity/bricks.glsl"
+// An entry of a list: a triangle, and above its number a box in the voxel, which slices of it, along each axis, the
+// triangle reaches into there. Most parts of triangles are small, so a ray that crosses the voxel passes most of them by.
+uniform int boxSlices;      // along an axis: 4 if triangles leave 12 bits, or 3, 2 or 0
+uniform uint triangleBits;  // mask of the bits that hold the triangle
+uniform uint boxShift;      // below the box
+uniform uint boxFold0;      // shifts that bring the bits of an axis together at its lowest
+uniform uint boxFold1;
+uniform uint boxAxes;       // these lowest bits
 
-uniform int secondStep;
+// Boxes are larger by more than rounding moves a point of a ray or of a triangle.
+const float boxSlack = 0.002;  // voxels
 
-uint voxelsVisited = 0u, entriesAdded = 0u;  // by this invocation
+uint packEntry(uint triangle, uint box) { return triangle | box << boxShift; }
+uint triangleOf(uint entry) { return entry & triangleBits; }
 
-uint packEntry(uint triangle) { return triangle; }
-
-// Of a triangle, seen along `axis`, in the list of a voxel that it touches.
-void addEntry(ivec3 voxel, uint triangle, int axis) {
-  ++voxelsVisited;
-  uint brick = brickIndex(brickOf(voxel)), state = bricks[brick];
-  // In the A-buffer of the brick's axis only. With own axes that is the axis in which the triangle is drawn.
-  bool inPlace = ownAxis == 1 || (voxelMaskAt(brick) & (1u << uint(axis))) != 0u;
-  if (!inPlace || !requested(state)) return;
-  uint place = atomicAdd(builds[state - BRICK_REQUESTED].next[voxelInBrick(voxel)], 1u);
-  if (secondStep == 1) runs[place] = packEntry(triangle);
-  ++entriesAdded;
+// The slices that a range, 0 to 1 in the voxel, reaches into: a bit each.
+uint slicesOf(float low, float high) {
+  int last = max(boxSlices - 1, 0);
+  int from = clamp(int(floor((low - boxSlack) * float(boxSlices))), 0, last);
+  int to = clamp(int(floor((high + boxSlack) * float(boxSlices))), 0, last);
+  uint all = (1u << uint(boxSlices)) - 1u;
+  return (all << uint(from)) & (all >> uint(last - to));
 }
 
-// Adds what the invocation has done to the counters, in the slot of a texel.
-void countEntries(int axis, ivec2 texel) {
-  if (secondStep == 0)
-    countAt(COUNTER_FRAGMENTS, texel, voxelsVisited);
-  else
-    countAt(COUNTER_STORED_X + uint(axis), texel, entriesAdded);
-  voxelsVisited = entriesAdded = 0u;
+// `low`, `high` in voxels, from the voxel's lowest corner.
+uint boxBits(vec3 low, vec3 high) {
+  uint slices = uint(boxSlices);
+  return slicesOf(low.x, high.x) | slicesOf(low.y, high.y) << slices | slicesOf(low.z, high.z) << (2u * slices);
+}
+
+bool boxMeets(uint entry, uint box) {
+  uint both = (entry >> boxShift) & box;
+  both |= both >> boxFold0;
+  both |= both >> boxFold1;
+  return (both & boxAxes) == boxAxes;
 }

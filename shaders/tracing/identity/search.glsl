@@ -1,15 +1,21 @@
-// Search of the identity method: every triangle of the voxels that the ray crosses is tested exactly; the nearest hit
-// wins, equal distances go to the lower number, so the order of a list has no say.
+// Search of the identity method: every triangle of the voxels that the ray crosses is tested exactly, but for those
+// whose part in the voxel the ray passes by; the nearest hit wins, equal distances go to the lower number, so the order
+// of a list has no say.
 //
-// Bricks are built on demand. A ray that comes to a brick that is missing requests it, and the next few on its way, and
-// waits for the next dispatch.
+// Bricks are built on demand: a ray that comes to one that is missing waits for the next dispatch, see request.comp.
+//
+// What is done most often stands in the innermost loop. A ray that needs something rarer leaves the loop and waits
+// until its neighbors need it, too, or a number of turns is over: processors that run neighboring rays in step, and
+// software rasterizers above all, skip nothing else than what stands behind a loop that has ended.
+#define BRICK_ACCESS readonly
 #include "shared/passes/identity.h"
 #include "shared/rays.h"
+#include "tracing/common/ray_queue.glsl"
 #include "tracing/common/test_candidate.glsl"
 #include "tracing/common/trace_state.glsl"
 #include "tracing/common/walk.glsl"
-#include "tracing/identity/brick_work.glsl"
 #include "tracing/identity/bricks.glsl"
+#include "tracing/identity/entry.glsl"
 #include "tracing/identity/voxel_walk.glsl"
 
 // Triangles that reach beyond the grid; every ray tests them.
@@ -17,102 +23,160 @@ layout(std430, binding = SSBO_OUTER) readonly buffer OuterBlock {
   uint outerCount;
   uint outer[];
 };
-uniform uint maxRequests;  // in one dispatch
-uniform int lookAhead;      // bricks with triangles that a waiting ray requests
 
-void requestBrick(uint brick) {
-  if (atomicCompSwap(bricks[brick], BRICK_MISSING, BRICK_CLAIMED) != BRICK_MISSING) return;
-  uint number = atomicAdd(brickWork.requestedBricks, 1u);
-  bricks[brick] = number < maxRequests ? BRICK_REQUESTED + number : BRICK_MISSING;
+// Turns of the inner loop between two tests, and tests between two looks at what is rarer still.
+#ifndef TURNS
+#define TURNS 64
+#endif
+#ifndef SIFTS
+#define SIFTS 4
+#endif
+// Iterations of all loops that a round takes at most.
+#define ROUND_ITERATIONS (1 + TURNS * (1 + SIFTS))
+
+struct Search {
+  uint index;  // of the ray
+  TraceRay ray;
+  VoxelRay walk;
+  uint octant;     // that the ray goes to
+  float t, exit;   // where the ray enters and leaves the cube
+  float end;       // where it leaves the grid or is long enough
+  Cube cube;       // the voxel, or a larger one if that is empty
+  bool entered;    // false before the first cube
+  uvec2 list;      // what is left of the voxel's entries
+  uint first;      // where they begin
+  uvec2 boxes;     // that the two halves of the ray's way through the voxel lie in
+  uint outerLeft;  // triangles beyond the grid that are not tested yet
+  uint ready;      // a triangle to test
+  uint candidate;  // one that may be a hit
+  bool going, missing;
+  Hit best;
+};
+
+Search beginSearch(uint index) {
+  Search s;
+  s.index = index;
+  s.ray = loadRay(index);
+  s.walk = makeVoxelRay(s.ray);
+  s.octant = octantOf(s.walk);
+  PausedRay pause = loadPause(index);
+  vec2 range = gridRange(s.ray);
+  s.t = s.exit = max(range.x, pause.t);
+  s.end = min(range.y, s.ray.most);
+  s.cube = Cube(clamp(voxelAt(s.walk, s.t), ivec3(0), voxelCount - 1), 1, vec3(0.0));
+  s.entered = false;
+  s.list = uvec2(0u);
+  s.first = pause.tested;
+  s.boxes = uvec2(0u);
+  s.outerLeft = outerCount;
+  s.ready = NO_TRIANGLE;
+  s.candidate = pause.bestTriangle - 1u;
+  s.going = s.t <= s.end || pause.tested > 0u;  // a voxel that was begun is done to its end
+  s.missing = false;
+  s.best = Hit(farAway, NO_TRIANGLE, 0.0, 0.0);
+  return s;
 }
 
-// The brick that a ray waits for, and the next ones on its way.
-void requestAhead(VoxelRay v, ivec3 voxel, float end) {
-  int left = lookAhead;
-  bool going = true;
-  while (going) {
-    uint brick = brickIndex(brickOf(voxel)), state = bricks[brick];
-    if (state != BRICK_EMPTY) --left;
-    if (state == BRICK_MISSING) requestBrick(brick);
-    Cube cube = brickCube(v, voxel);
-    voxel = voxelBehind(v, cube);
-    going = left > 0 && exitOf(cube) < end && inGrid(voxel);
+// On to the next cube of voxels.
+void stepOn(inout Search s) {
+  ivec3 voxel = s.cube.low;
+  uint tested = s.first;
+  if (s.entered) {
+    // A hit behind this voxel may still be beaten by a triangle of the voxels before it.
+    s.going = s.best.t > s.exit && s.exit < s.end;
+    voxel = voxelBehind(s.walk, s.cube);
+    s.going = s.going && inGrid(voxel);
+    s.t = s.exit;
+    tested = 0u;
   }
+  s.entered = true;
+  if (!s.going) return;
+  uint run = bricks[brickIndex(brickOf(voxel))];
+  if (present(run)) {
+    int side;
+    s.list = listOf(run, voxel, side);
+    s.cube = makeCube(s.walk, voxel & ~(side - 1), side);
+  } else {
+    s.cube = brickCube(s.walk, s.octant, voxel, run);
+  }
+  s.exit = max(s.t, min(exitOf(s.cube), s.end));
+  s.first = s.list.x;
+  s.list.x += tested;
+  s.missing = !present(run) && !emptyBrick(run);
+  s.going = !s.missing;
+  float until = min(s.exit, s.best.t);
+  vec3 corner = vec3(s.cube.low);
+  vec3 from = s.walk.origin + s.walk.direction * s.t - corner, to = s.walk.origin + s.walk.direction * until - corner;
+  vec3 middle = 0.5 * (from + to);
+  s.boxes = uvec2(boxBits(min(from, middle), max(from, middle)), boxBits(min(middle, to), max(middle, to)));
 }
 
-// False if the ray is not through; `pause` then says how to go on.
-//
-// The inner loop walks and tests in floats; a lane whose candidate may be a hit, that has done its work or that has come
-// to a missing brick leaves it, and is dealt with behind it. Software rasterizers skip nothing else than what stands
-// behind a loop that has ended.
-bool march(TraceRay ray, float end, inout PausedRay pause, inout Hit best) {
-  for (uint i = 0u; i < outerCount; ++i) testCandidate(ray, outer[i], best);
-  end = min(end, best.t);
-  if (pause.bestTriangle > 0u) testCandidate(ray, pause.bestTriangle - 1u, best);
+// Looks at one entry of the list.
+void sift(inout Search s) {
+  uint entry = runs[s.list.x];
+  ++s.list.x;
+  bool meets = boxMeets(entry, s.boxes.x) || boxMeets(entry, s.boxes.y);
+  if (meets && triangleOf(entry) != s.ray.excluded) s.ready = triangleOf(entry);
+}
 
-  VoxelRay v = makeVoxelRay(ray);
-  float t = pause.t, exit = t;
-  uint tested = pause.tested;
-  ivec3 voxel = clamp(voxelAt(v, t), ivec3(0), voxelCount - 1);
-  Cube cube = Cube(voxel, 1, vec3(0.0));  // the voxel, or the whole brick if that is empty
-  uvec2 list = uvec2(0u);                 // what is left of the voxel's candidates
-  uint first = 0u;                        // where they begin
-  uint candidate = NO_TRIANGLE;           // that may be a hit
+// False if the ray is not through and this voxel is one to come back to: the middle of its stretch finds it again.
+void finish(inout Search s) {
+  bool through = !s.going && !s.missing;
+  if (through || lastDispatch == 1) {
+    storeHit(s.index, s.ray, s.best, through);
+    return;
+  }
+  PausedRay pause = PausedRay(s.t, s.best.t < farAway ? s.best.triangle + 1u : 0u, 0u, 0u);
+  float middle = 0.5 * (s.t + s.exit);
+  if (s.going && s.entered && contains(s.cube, voxelAt(s.walk, middle))) {
+    pause.t = middle;
+    pause.tested = s.list.x - s.first;
+  }
+  pauseRay(s.index, pause);
+}
+
+// A ray that the dispatch does not come to.
+void postpone(uint index) {
+  if (lastDispatch == 1)
+    storeHit(index, loadRay(index), Hit(farAway, NO_TRIANGLE, 0.0, 0.0), false);
+  else
+    pauseRay(index, loadPause(index));
+}
+
+// The next ray for this invocation; false if there is none.
+bool takeRay(out uint index);
+
+void traceRays() {
+  Search s;
+  bool some = true, tracing = false;
   int work = 0;
-  bool going = t <= end || tested > 0u;  // a voxel that was begun is done to its end
-  bool entered = false, missing = false, yielded = false;
-  while (going) {
-    while (going && candidate == NO_TRIANGLE && work < workLimit) {
-      if (list.x == list.y) {
-        if (entered) {
-          // A hit behind this voxel may still be beaten by a triangle of the voxels before it.
-          going = best.t > exit && exit < end;
-          voxel = voxelBehind(v, cube);
-          going = going && inGrid(voxel);
-          t = exit;
-        }
-        entered = true;
-        if (going) {
-          uint run = bricks[brickIndex(brickOf(voxel))];
-          if (run == BRICK_EMPTY)
-            cube = brickCube(v, voxel);
-          else
-            cube = makeCube(v, voxel, 1);
-          exit = max(t, min(exitOf(cube), end));
-          list = present(run) ? listOf(run, voxel) : uvec2(0u);
-          first = list.x;
-          list.x += tested;
-          tested = 0u;
-          missing = !present(run) && run != BRICK_EMPTY;
-          going = !missing;
-        }
-      }
-      if (going && list.x != list.y) {
-        uint triangle = runs[list.x];
-        if (mayHit(ray, triangle, best.t)) candidate = triangle;
-        ++list.x;
-      }
-      ++work;
+  while (some || tracing) {
+    if (!tracing) {
+      uint index;
+      some = some && takeRay(index);
+      tracing = some;
+      if (some) s = beginSearch(index);
     }
-    if (candidate != NO_TRIANGLE) testCandidate(ray, candidate, best);
-    candidate = NO_TRIANGLE;
-    if (going && work >= workLimit) {
-      // From the middle of its stretch the walk begins in this cube again, but for the shortest stretches: there is no
-      // telling where rounding puts them. Those are done first.
-      float middle = 0.5 * (t + exit);
-      yielded = contains(cube, voxelAt(v, middle));
-      if (yielded) {
-        t = middle;
-        tested = list.x - first;
-        going = false;
-      } else {
-        --work;
-      }
+    if (s.outerLeft > 0u && tracing) {
+      --s.outerLeft;
+      s.candidate = outer[s.outerLeft];
     }
+    for (int turn = 0; turn < TURNS && tracing && s.going && s.candidate == NO_TRIANGLE; ++turn) {
+      if (s.list.x == s.list.y) stepOn(s);
+      s.ready = NO_TRIANGLE;
+      for (int i = 0; i < SIFTS; ++i) {
+        if (s.going && s.list.x != s.list.y && s.ready == NO_TRIANGLE) sift(s);
+      }
+      if (s.ready != NO_TRIANGLE && mayHit(s.ray, s.ready, s.best.t)) s.candidate = s.ready;
+    }
+    if (tracing && s.candidate != NO_TRIANGLE) testCandidate(s.ray, s.candidate, s.best);
+    s.candidate = NO_TRIANGLE;
+    work += ROUND_ITERATIONS;
+    bool yielding = work >= workLimit;
+    if (tracing && ((!s.going && s.outerLeft == 0u) || yielding)) {
+      finish(s);
+      tracing = false;
+    }
+    some = some && !yielding;
   }
-  if (missing && lastDispatch == 0) requestAhead(v, voxel, end);
-  pause = PausedRay(t, best.t < farAway ? best.triangle + 1u : 0u, tested, 0u);
-  return !(missing || yielded || going);
 }
-
-void storeSurface(uint index, Hit hit) {}

@@ -37,8 +37,15 @@ Cube makeCube(VoxelRay v, ivec3 low, int side) {
   return Cube(low, side, vec3(low + v.ahead * side) * v.inverse + v.offset);
 }
 
-// The brick around a voxel.
-Cube brickCube(VoxelRay v, ivec3 voxel) { return makeCube(v, brickOf(voxel) << BRICK_SHIFT, BRICK_SIDE); }
+// Of the eight directions, a bit per axis, the one that the ray goes in.
+uint octantOf(VoxelRay v) { return uint(v.ahead.x | v.ahead.y << 1 | v.ahead.z << 2); }
+
+// The brick around a voxel, or the empty cube that it begins on the ray's way.
+Cube brickCube(VoxelRay v, uint octant, ivec3 voxel, uint state) {
+  int side = emptyBrick(state) ? emptySide(state, octant) : 1;
+  ivec3 low = brickOf(voxel) - (side - 1) * (1 - v.ahead);
+  return makeCube(v, low << BRICK_SHIFT, side << BRICK_SHIFT);
+}
 
 float exitOf(Cube cube) { return min(cube.crossings.x, min(cube.crossings.y, cube.crossings.z)); }
 
