@@ -1,6 +1,7 @@
 #include "tracing/identity/run_builder.h"
 
 #include <algorithm>
+#include <vector>
 
 #include "shared/tracing.h"
 #include "tracing/identity/resize.h"
@@ -106,13 +107,17 @@ void RunBuilder::giveUpMoved(const GpuScene& scene, std::span<const VertexRange>
   const Grid& grid = store.brickGrid();
   grid.apply(collectMoved_);
   collectMoved_.set("ownAxis", store.ownAxis() ? 1 : 0);
-  for (const VertexRange& range : moved) {
-    triangles_.begin(scene, store.ownAxis());
-    collectMoved_.set("firstVertex", static_cast<GLuint>(range.first));
-    collectMoved_.set("vertexCount", static_cast<GLuint>(range.count));
-    triangles_.choose(collectMoved_, scene);
-    visit(markMoved_, grid, scene, store);
-  }
+  const std::vector<VertexRange> ranges = mergeRanges(moved);
+  const std::vector<std::uint32_t> blocks = scene.extents.blocksUsing(ranges);
+  static_assert(SceneExtents::kBlockTriangles == TRIANGLE_BLOCK);
+  std::vector<GLuint> words = {static_cast<GLuint>(ranges.size()), static_cast<GLuint>(blocks.size())};
+  for (const VertexRange& range : ranges) words.insert(words.end(), {range.first, range.first + range.count});
+  words.insert(words.end(), blocks.begin(), blocks.end());
+  const gl::Buffer vertices = gl::makeBuffer<GLuint>(*api_, words, "moved vertices");
+  vertices.bindStorage(SSBO_MOVED_VERTICES);
+  triangles_.begin(scene, store.ownAxis());
+  triangles_.choose(collectMoved_, scene, blocks.size() * TRIANGLE_BLOCK);
+  visit(markMoved_, grid, scene, store);
   transient_ = std::max(transient_, bytes());
 }
 

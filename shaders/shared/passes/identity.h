@@ -7,9 +7,10 @@
 #define SSBO_BRICK_WORK 14   // BrickWork
 #define SSBO_OUTER 15        // uint[1 + count]: triangles that reach beyond the grid: their count, then their numbers
 // Builds touch no queue of rays and use its numbers; 5 and 7 are those of the counters and of listed triangles.
-#define SSBO_BRICK_BUILDS 6    // BrickBuild[requested bricks]
-#define SSBO_BLOCK_SUMS 8      // uint[blocks of a prefix sum]
-#define SSBO_COMPACTED_RUNS 9  // uint[]: where compaction moves runs to
+#define SSBO_BRICK_BUILDS 6     // BrickBuild[requested bricks]
+#define SSBO_BLOCK_SUMS 8       // uint[blocks of a prefix sum]
+#define SSBO_COMPACTED_RUNS 9   // uint[]: where compaction moves runs to
+#define SSBO_MOVED_VERTICES 10  // MovedVertices
 
 // Voxels along a side of a brick. A brick's state is the place of its run, or one of these.
 #define BRICK_SHIFT 2
@@ -22,6 +23,9 @@
 
 // A brick's voxel in the packed grid (see shared/tracing.h): triangles of the last move came to it.
 #define VOXEL_MOVED 8u
+
+// Triangles of a block, see SceneExtents.
+#define TRIANGLE_BLOCK 256
 
 // Prefix sums: invocations per group.
 #define SUM_GROUP 128

@@ -7,7 +7,7 @@ layout(local_size_x = TRIANGLE_GROUP) in;
 
 uniform uint triangleCount;
 
-// The invocation's triangle; there is none from `triangleCount` on.
+// The invocation's number, and mostly its triangle; there is none from `triangleCount` on.
 uint invocationTriangle() {
   return gl_GlobalInvocationID.x + gl_GlobalInvocationID.y * gl_NumWorkGroups.x * gl_WorkGroupSize.x;
 }
