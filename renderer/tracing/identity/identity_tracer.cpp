@@ -55,6 +55,10 @@ void IdentityTracer::update(const FrameView& view, const SceneChange& change) {
     builder_.giveUpMoved(view.scene, change.moved, store_);
   } else {
     store_.start(view, bricks);
+    {
+      const auto scope = view.profiler.section("voxelize");
+      builder_.measure(view.scene, store_);
+    }
     builder_.clearCounters();
     firstLookAhead_ = kFirstLookAhead;
     dispatchesToLook_ = kFirstDispatches;

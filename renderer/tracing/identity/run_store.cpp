@@ -112,7 +112,7 @@ void RunStore::fit(std::uint64_t besides) {
     work_.write(0, &known_, sizeof(known_));
     resizePool(0, besides);
   } else if (sparse() && movable()) {
-    compact(times(kHeadroom, left), besides);
+    compact(besides);
   } else if (capacity() < times(kMinHeadroom, known_.usedWords) || capacity() > times(kMaxHeadroom, known_.usedWords)) {
     resizePool(std::min(maxCapacity(), times(kHeadroom, known_.usedWords)), besides);
   }
@@ -137,19 +137,23 @@ bool RunStore::sparse() const {
 
 bool RunStore::movable() const { return !api_->software || known_.longestRun <= kMaxSoftwareCopy; }
 
-void RunStore::compact(std::uint64_t words, std::uint64_t besides) {
-  if (!compactSum_) compactSum_.emplace(*api_, "tracing/identity/compact_runs.comp");
+void RunStore::compact(std::uint64_t besides) {
+  const GLuint left = known_.usedWords - known_.staleWords;
+  const std::uint64_t words = times(kHeadroom, left);
+  if (!compactRuns_) compactRuns_ = gl::Program::compute(*api_, "tracing/identity/compact_runs.comp");
   gl::Buffer together;
   resize(*api_, together, words * kWordBytes, "A-buffer runs");
   noteTransient(besides + std::min(runs_.bytes(), together.bytes()));
-  const auto bindItems = [&] {
-    bind();
-    together.bindStorage(SSBO_COMPACTED_RUNS);
-  };
-  compactSum_->sum(brickCount(), bindItems);
-  compactSum_->place(brickCount(), bindItems);
+  known_.usedWords = 0;  // and counted up
+  work_.write(0, &known_, sizeof(known_));
+  bind();
+  together.bindStorage(SSBO_COMPACTED_RUNS);
+  compactRuns_.set("brickCount", brickCount());
+  dispatchFor(*api_, compactRuns_, brickCount());
+  // Runs and places (this dispatch) are read by the trace; the count is written again.
+  api_->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
   runs_ = std::move(together);
-  known_.usedWords -= known_.staleWords;
+  known_.usedWords = left;
   known_.headerWords -= known_.staleHeaderWords;
   known_.staleWords = known_.staleHeaderWords = 0;
   work_.write(0, &known_, sizeof(known_));
@@ -165,7 +169,6 @@ void RunStore::report(TracerMemory& memory) const {
   memory.lostFragments = lost_;
   memory.bytesPerFragment = static_cast<double>(kWordBytes);
   memory.structureTotal = memory.voxels + memory.heads + memory.poolReserved + outer_.bytes() + work_.bytes();
-  if (compactSum_) memory.structureTotal += compactSum_->bytes();
   memory.transient = transient_;
 }
 

@@ -1,13 +1,11 @@
 #pragma once
 
-#include <optional>
 #include <span>
 
 #include <halfsilver/settings.h>
 #include <halfsilver/tracer.h>
 #include "tracing/grid.h"
 #include "tracing/identity/brick_work.h"
-#include "tracing/identity/prefix_sum.h"
 #include "tracing/voxel_pass.h"
 
 namespace halfsilver {
@@ -62,7 +60,7 @@ class RunStore {
   bool sparse() const;
   bool movable() const;
   void resizePool(std::uint64_t words, std::uint64_t besides);
-  void compact(std::uint64_t words, std::uint64_t besides);
+  void compact(std::uint64_t besides);
   void noteTransient(std::uint64_t bytes) { transient_ = std::max(transient_, bytes); }
 
   const gl::Api* api_;
@@ -71,7 +69,7 @@ class RunStore {
   bool ownAxis_;
   VoxelPass voxelPass_;
   gl::Program beginBricks_;
-  std::optional<PrefixSum> compactSum_;  // made when it is first needed
+  gl::Program compactRuns_;  // made when it is first needed
 
   Grid grid_, brickGrid_;
   Voxels voxels_;  // of the brick grid

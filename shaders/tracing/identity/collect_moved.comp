@@ -2,12 +2,7 @@
 #include "lib/triangles.glsl"
 #include "shared/passes/identity.h"
 #include "tracing/identity/collect.glsl"
-
-layout(std430, binding = SSBO_MOVED_VERTICES) readonly buffer MovedBlock {
-  uint rangeCount;
-  uint blockCount;
-  uint moved[];  // the ranges, ascending: first vertex and end; then the numbers of the blocks
-};
+#include "tracing/identity/moved_vertices.glsl"
 
 bool hasMoved(uint vertex) {
   // Ranges that begin at the vertex or before it.
@@ -23,9 +18,9 @@ bool hasMoved(uint vertex) {
 }
 
 void main() {
-  uint number = invocationTriangle(), block = number / TRIANGLE_BLOCK;
-  if (block >= blockCount) return;
-  uint triangle = moved[2u * rangeCount + block] * TRIANGLE_BLOCK + number % TRIANGLE_BLOCK;
+  uint number = gl_GlobalInvocationID.x + gl_GlobalInvocationID.y * gl_NumWorkGroups.x * gl_WorkGroupSize.x;
+  if (number / MOVED_BLOCK >= blockCount) return;
+  uint triangle = movedBlock(number / MOVED_BLOCK) * MOVED_BLOCK + number % MOVED_BLOCK;
   if (triangle >= triangleCount) return;
   uvec3 corners = triangleAt(triangle).xyz;
   if (!hasMoved(corners.x) && !hasMoved(corners.y) && !hasMoved(corners.z)) return;
