@@ -14,6 +14,8 @@ namespace {
 
 constexpr std::uint64_t kWordBytes = sizeof(GLuint);
 constexpr double kVoxelsPerBrick = VOXELS_PER_BRICK;
+// Of the longest side of the scene, around it; see brickGridOf(). A grid with twice as much is too large.
+constexpr float kRoom = 0.1f;
 // Software rasterizers stop long loops, and one invocation copies a run.
 constexpr std::uint64_t kMaxSoftwareCopy = 8000;
 // The pool over its runs: as fit() makes it, and how much less or more may stay. And the share of stale words above
@@ -40,10 +42,20 @@ RunStore::RunStore(const gl::Api& api, const Settings& settings)
       beginBricks_(gl::Program::compute(api, "tracing/identity/begin_bricks.comp")),
       work_(api, sizeof(shared::BrickWork), "work on bricks") {}
 
-Grid RunStore::brickGridOf(const GpuScene& scene) const {
+Grid RunStore::brickGridOf(const GpuScene& scene, bool room) const {
+  Bounds bounds = scene.extents.core().bounds;
+  if (room) {
+    const glm::vec3 margin(kRoom * longestSide(bounds.extent()));
+    bounds = {bounds.low - margin, bounds.high + margin};
+  }
   const double voxels = voxelsPerTriangle_ * static_cast<double>(scene.triangleCount);
   const double wanted = voxelsPerTriangle_ > 0 ? std::max(1.0, voxels / kVoxelsPerBrick) : 0.0;
-  return makeCubicGrid(scene.extents.core().bounds, std::max(1, resolution_ / BRICK_SIDE), wanted);
+  return makeCubicGrid(bounds, std::max(1, resolution_ / BRICK_SIDE), wanted);
+}
+
+bool RunStore::suits(const GpuScene& scene) const {
+  const Bounds& core = scene.extents.core().bounds;
+  return holds(brickGrid_, core) && longestSide(brickGrid_.extent) <= (1 + 4 * kRoom) * longestSide(core.extent());
 }
 
 void RunStore::setOuter(std::span<const std::uint32_t> triangles) {

@@ -18,8 +18,11 @@ class RunStore {
  public:
   RunStore(const gl::Api& api, const Settings& settings);
 
-  // Bricks for a scene, by its size and number of triangles.
-  Grid brickGridOf(const GpuScene& scene) const;
+  // Bricks for a scene, by its size and number of triangles. With `room` there is some around it, so that what moves
+  // does not leave the grid at once.
+  Grid brickGridOf(const GpuScene& scene, bool room) const;
+  // Whether the grid that is there will do for the scene as it is now: holds it, and is not much too large.
+  bool suits(const GpuScene& scene) const;
 
   // Triangles that reach beyond the grid: every ray tests them.
   void setOuter(std::span<const std::uint32_t> triangles);
