@@ -38,7 +38,7 @@ class SmallTriangles : public TracingTest {
   }
   // No triangle is small, so the rasterizer draws them all.
   static void withRasterOnly(const std::function<void()>& work) {
-    withShaders("shared/passes/listed_triangles.h", "#define SMALL_TEXELS 32", "#define SMALL_TEXELS 0", work);
+    withShaders("shared/passes/listed_triangles.h", "#define SMALL_TEXELS 128", "#define SMALL_TEXELS 0", work);
   }
 
   // Triangles of all sizes, slivers along and across the axes among them.
