@@ -40,7 +40,8 @@ std::span<const Triangle> trianglesOf(const Scene& scene, std::size_t block) {
       .subspan(first, std::min(SceneExtents::kBlockTriangles, scene.triangles.size() - first));
 }
 
-// Sorted, without empty ranges and overlaps.
+}  // namespace
+
 std::vector<VertexRange> mergeRanges(std::span<const VertexRange> ranges) {
   std::vector<VertexRange> sorted(ranges.begin(), ranges.end());
   std::erase_if(sorted, [](const VertexRange& range) { return range.count == 0; });
@@ -54,8 +55,6 @@ std::vector<VertexRange> mergeRanges(std::span<const VertexRange> ranges) {
   }
   return merged;
 }
-
-}  // namespace
 
 SceneExtents::SceneExtents(const Scene& scene)
     : blocks_((scene.triangles.size() + kBlockTriangles - 1) / kBlockTriangles) {
@@ -72,20 +71,23 @@ SceneExtents::SceneExtents(const Scene& scene)
   combine(scene);
 }
 
-std::size_t SceneExtents::update(const Scene& scene, std::span<const VertexRange> moved) {
-  const std::vector<VertexRange> ranges = mergeRanges(moved);
-  std::size_t measured = 0;
+std::vector<std::uint32_t> SceneExtents::blocksUsing(std::span<const VertexRange> merged) const {
+  std::vector<std::uint32_t> blocks;
   for (std::size_t block = 0; block < blocks_.size(); ++block) {
     const Block& b = blocks_[block];
-    const auto range = std::partition_point(ranges.begin(), ranges.end(), [&](const VertexRange& each) {
+    const auto range = std::partition_point(merged.begin(), merged.end(), [&](const VertexRange& each) {
       return each.first + each.count <= b.firstVertex;
     });
-    if (range == ranges.end() || range->first > b.lastVertex) continue;
-    measure(scene, block);
-    ++measured;
+    if (range != merged.end() && range->first <= b.lastVertex) blocks.push_back(static_cast<std::uint32_t>(block));
   }
-  if (measured > 0) combine(scene);
-  return measured;
+  return blocks;
+}
+
+std::size_t SceneExtents::update(const Scene& scene, std::span<const VertexRange> moved) {
+  const std::vector<std::uint32_t> blocks = blocksUsing(mergeRanges(moved));
+  for (const std::uint32_t block : blocks) measure(scene, block);
+  if (!blocks.empty()) combine(scene);
+  return blocks.size();
 }
 
 void SceneExtents::measure(const Scene& scene, std::size_t block) {

@@ -1,11 +1,17 @@
 #include "tracing/grid.h"
 
 namespace halfsilver {
+namespace {
+
+// Of the longest side of the bounds, beyond them.
+constexpr float kPadding = 1e-3f;
+
+}  // namespace
 
 Grid makeGrid(const Bounds& bounds, int voxels, int texels) {
   const glm::vec3 extent = bounds.extent();
-  const float longest = glm::max(extent.x, glm::max(extent.y, extent.z));
-  const float padding = longest > 0 ? 1e-3f * longest : 1.0f;
+  const float longest = longestSide(extent);
+  const float padding = longest > 0 ? kPadding * longest : 1.0f;
   Grid grid;
   grid.low = (bounds.empty() ? glm::vec3(0) : bounds.low) - padding;
   grid.extent = extent + 2.0f * padding;
@@ -14,9 +20,16 @@ Grid makeGrid(const Bounds& bounds, int voxels, int texels) {
   return grid;
 }
 
+bool holds(const Grid& grid, const Bounds& bounds) {
+  if (bounds.empty()) return true;
+  const float clear = 0.5f * kPadding * longestSide(bounds.extent());
+  return glm::all(glm::greaterThanEqual(bounds.low, grid.low + clear)) &&
+         glm::all(glm::lessThanEqual(bounds.high, grid.low + grid.extent - clear));
+}
+
 Grid makeCubicGrid(const Bounds& bounds, int max, double wanted) {
   Grid grid = makeGrid(bounds, max, max);
-  const glm::vec3 shape = grid.extent / glm::max(grid.extent.x, glm::max(grid.extent.y, grid.extent.z));
+  const glm::vec3 shape = grid.extent / longestSide(grid.extent);
   const auto along = [&](int longest) {
     return glm::clamp(glm::ivec3(glm::ceil(static_cast<float>(longest) * shape)), 1, longest);
   };

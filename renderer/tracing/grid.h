@@ -27,6 +27,11 @@ struct Grid {
   void apply(const gl::Program& program) const;
 };
 
+inline float longestSide(const glm::vec3& extent) { return glm::max(extent.x, glm::max(extent.y, extent.z)); }
+
+// Whether all of the bounds lies in the grid, clear of its border.
+bool holds(const Grid& grid, const Bounds& bounds);
+
 // The same number of voxels along every axis, which so follow the scene's shape, as the papers have it. The padding
 // keeps every surface clear of the border, flat scenes included.
 Grid makeGrid(const Bounds& bounds, int voxels, int texels);

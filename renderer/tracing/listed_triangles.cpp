@@ -39,11 +39,11 @@ void ListedTriangles::begin(const GpuScene& scene, bool ownAxis) {
 
 void ListedTriangles::bind() const { list_.bindStorage(SSBO_LISTED_TRIANGLES); }
 
-void ListedTriangles::choose(const gl::Program& program, const GpuScene& scene) const {
+void ListedTriangles::choose(const gl::Program& program, const GpuScene& scene, std::size_t invocations) const {
   program.set("triangleCount", scene.triangleCount);
   bind();
   scene.bindTriangles();
-  dispatchFor(*api_, program, scene.triangleCount);
+  dispatchFor(*api_, program, invocations);
   // The list and its arguments (this dispatch) are read by what goes over it.
   api_->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
 }

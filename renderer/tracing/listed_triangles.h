@@ -19,8 +19,9 @@ class ListedTriangles {
   void begin(const GpuScene& scene, bool ownAxis);
   void bind() const;  // SSBO_LISTED_TRIANGLES
 
-  // Runs a program that chooses, an invocation per triangle of the scene. The caller has bound what it reads.
-  void choose(const gl::Program& program, const GpuScene& scene) const;
+  // Runs a program that chooses, in `invocations`, mostly one per triangle. The caller has bound what it reads besides
+  // the triangles.
+  void choose(const gl::Program& program, const GpuScene& scene, std::size_t invocations) const;
   // Runs `small` (compute) over the small ones, then `large` over the large ones in a raster of that many texels along
   // each side. The caller has bound what they read.
   void visit(const gl::Program& small, const gl::Program& large, int resolution) const;

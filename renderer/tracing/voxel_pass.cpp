@@ -88,7 +88,7 @@ void VoxelPass::rasterize(const GpuScene& scene, const Grid& grid, const Voxels&
     large_.begin(scene, true);
     transient_ = large_.bytes();
     // Marks and sums are atomic, so the rasterizer need not wait for them.
-    large_.choose(small_, scene);
+    large_.choose(small_, scene, scene.triangleCount);
     large_.rasterizeLarge(rasterize_, resolution);
     large_.releaseMemory();
   } else {

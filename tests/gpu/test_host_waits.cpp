@@ -1,8 +1,10 @@
 // How often a frame of the identity method makes the host wait for the GPU. The count does not depend on the device.
 #include <functional>
 #include <memory>
+#include <vector>
 
 #include <halfsilver/tracer.h>
+#include "gpu/binding_audit.h"
 #include "gpu/shader_function.h"
 #include "gpu/tracing_scenes.h"
 
@@ -89,6 +91,31 @@ TEST_F(HostWaits, AreAsFewIfTheDriverLetsLoopsRun) {
   const Counted still = draw(renderer, kAbove, settings);
   EXPECT_EQ(still.waits, 0u);
   EXPECT_EQ(still.frame.layers.data, first.frame.layers.data);
+}
+
+// Ranges that move are followed together: a hundred cost the dispatches and draws of one.
+TEST_F(HostWaits, AndDispatchesDoNotGrowWithTheRangesThatMove) {
+  const Settings settings = settingsWith({{"trace.method", "identity"}});
+  const auto dispatches = [&](std::uint32_t count) {
+    Scene scene = soup(3000);
+    BindingAudit audit(context.getProcAddress());
+    Renderer renderer(audit.getProcAddress());
+    renderer.setScene(scene);
+    drawWith(renderer, kAbove, settings, 80, 60);
+    const std::size_t before = audit.checks("voxelize");
+    std::vector<VertexRange> ranges;
+    for (std::uint32_t i = 0; i < count; ++i) ranges.push_back({6 + 60 * i, 3});
+    for (const VertexRange& range : ranges)
+      for (std::uint32_t v = range.first; v < range.first + range.count; ++v) scene.vertices[v].position.y += 0.05f;
+    renderer.updateVertices(scene, ranges);
+    const Frame moved = drawWith(renderer, kAbove, settings, 80, 60);
+    const std::size_t after = audit.checks("voxelize");
+    EXPECT_EQ(moved.layers.data, drawOnce(scene, kAbove, settings, 80, 60).layers.data) << count;
+    return after - before;
+  };
+  const std::size_t one = dispatches(1);
+  EXPECT_GT(one, 0u);
+  EXPECT_EQ(dispatches(100), one);
 }
 
 // Each generation of rays is known only when the one before it is through.

@@ -270,6 +270,35 @@ TEST_F(TracingTest, MovingTrianglesAreFollowed) {
   }
 }
 
+// What moves out of the scene's bounds makes a new grid now and then, not in every frame; so does what comes back.
+TEST_F(TracingTest, MovesBeyondTheBoundsBuildEverythingOnlyNowAndThen) {
+  Scene scene = soup(2000);
+  const auto first = static_cast<std::uint32_t>(scene.vertices.size());
+  for (int i = 0; i < 20; ++i) {
+    const float x = 0.02f * static_cast<float>(i);
+    addTriangle(scene, {x, 1.6f, 0}, {x + 0.3f, 1.6f, 0.1f}, {x, 2.3f, 0.2f}, 1);
+  }
+  const VertexRange moving{first, static_cast<std::uint32_t>(scene.vertices.size()) - first};
+  Renderer renderer = makeRenderer(scene);
+  const Settings kept = settingsWith({});
+  Frame frame = drawWith(renderer, kAbove, kept, 80, 60);
+  int whole = 0;
+  for (int step = 0; step < 40; ++step) {
+    for (std::uint32_t v = moving.first; v < moving.first + moving.count; ++v)
+      scene.vertices[v].position.y += step < 25 ? 0.05f : -0.08f;
+    renderer.updateVertices(scene, std::span(&moving, 1));
+    const std::uint64_t before = frame.report.memory.fragments;
+    frame = drawWith(renderer, kAbove, kept, 80, 60);
+    const Frame rebuilt = drawOnce(scene, kAbove, kept, 80, 60);
+    EXPECT_EQ(frame.layers.data, rebuilt.layers.data) << step;
+    // A new grid begins its counts again.
+    whole += frame.report.memory.fragments < before ? 1 : 0;
+    EXPECT_LT(frame.report.memory.structureTotal, rebuilt.report.memory.structureTotal * 3 / 2) << step;
+  }
+  EXPECT_GE(whole, 1);
+  EXPECT_LE(whole, 6);
+}
+
 // Lists do not grow along the way of what moves, and several changes between two frames are followed like one.
 TEST_F(TracingTest, MovingTrianglesLeaveNothingBehind) {
   Scene scene = soup(2000);

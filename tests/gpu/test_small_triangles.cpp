@@ -1,4 +1,5 @@
-// Small triangles, which one compute invocation each voxelizes, against the rasterizer.
+// Small triangles, which one compute invocation each voxelizes, against the rasterizer; blocks of triangles against
+// all.
 #include <stdlib.h>
 
 #include <filesystem>
@@ -20,23 +21,24 @@ namespace fs = std::filesystem;
 
 class SmallTriangles : public TracingTest {
  protected:
-  // Shaders for which no triangle is small, so that the rasterizer draws them all.
-  SmallTriangles() {
-    fs::copy(HALFSILVER_SOURCE_DIR "/shaders", rasterOnly_.path(), fs::copy_options::recursive);
-    const fs::path file = rasterOnly_ / "shared/passes/listed_triangles.h";
+  // Does something with the shaders changed in one place.
+  static void withShaders(const char* name, const std::string& from, const std::string& to,
+                          const std::function<void()>& work) {
+    const TemporaryFolder folder;
+    fs::copy(HALFSILVER_SOURCE_DIR "/shaders", folder.path(), fs::copy_options::recursive);
+    const fs::path file = folder.path() / name;
     std::ifstream in(file);
     std::string text{std::istreambuf_iterator<char>(in), {}};
-    const std::string limit = "#define SMALL_TEXELS 32";
-    const std::size_t at = text.find(limit);
-    EXPECT_NE(at, std::string::npos);
-    text.replace(at, limit.size(), "#define SMALL_TEXELS 0");
-    std::ofstream(file) << text;
-  }
-
-  void withRasterOnly(const std::function<void()>& work) const {
-    ::setenv("HALFSILVER_SHADERS", rasterOnly_.path().c_str(), 1);
+    const std::size_t at = text.find(from);
+    ASSERT_NE(at, std::string::npos) << from;
+    std::ofstream(file) << text.replace(at, from.size(), to);
+    ::setenv("HALFSILVER_SHADERS", folder.path().c_str(), 1);
     work();
     ::unsetenv("HALFSILVER_SHADERS");
+  }
+  // No triangle is small, so the rasterizer draws them all.
+  static void withRasterOnly(const std::function<void()>& work) {
+    withShaders("shared/passes/listed_triangles.h", "#define SMALL_TEXELS 128", "#define SMALL_TEXELS 0", work);
   }
 
   // Triangles of all sizes, slivers along and across the axes among them.
@@ -68,9 +70,6 @@ class SmallTriangles : public TracingTest {
       words.sums[i] = voxels.normalSums[i].read<std::int32_t>(voxels.normalSums[i].bytes() / 4);
     return words;
   }
-
- private:
-  TemporaryFolder rasterOnly_;
 };
 
 TEST_F(SmallTriangles, MarkTheVoxelsThatTheirFragmentsWouldMark) {
@@ -101,6 +100,37 @@ TEST_F(SmallTriangles, HaveTheEntriesThatTheirFragmentsWouldHave) {
     EXPECT_EQ(a.heads, b.heads);
     for (int i = 0; i < 3; ++i) EXPECT_EQ(a.fragmentsPerAxis[i], b.fragmentsPerAxis[i]) << i;
   }
+}
+
+// A build that looks at every block of triangles makes what one makes that leaves out those far from its bricks.
+TEST_F(SmallTriangles, AreFoundByTheBlocksThatTheyLieIn) {
+  Scene scene = manySizes();
+  const VertexRange moving{600, 900};
+  const Camera other = lookAt({1.5f, 1.2f, 2.0f}, {0, 0.1f, 0});
+  const auto frames = [&](Scene moved) {
+    std::vector<Frame> result;
+    Renderer renderer = makeRenderer(moved);
+    const Settings settings = settingsWith({});
+    result.push_back(drawWith(renderer, kAbove, settings, 80, 60));
+    result.push_back(drawWith(renderer, other, settings, 80, 60));
+    for (std::uint32_t v = moving.first; v < moving.first + moving.count; ++v)
+      moved.vertices[v].position = 0.9f * moved.vertices[v].position + glm::vec3(0, 0.1f, 0);
+    renderer.updateVertices(moved, std::span(&moving, 1));
+    result.push_back(drawWith(renderer, other, settings, 80, 60));
+    return result;
+  };
+  const std::vector<Frame> some = frames(scene);
+  std::vector<Frame> all;
+  withShaders("tracing/identity/collect_blocks.comp", "maxBricks = 512.0", "maxBricks = -1.0",
+              [&] { all = frames(scene); });
+  ASSERT_EQ(all.size(), 3u);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    EXPECT_EQ(some[i].layers.data, all[i].layers.data) << i;
+    EXPECT_EQ(some[i].report.memory.fragments, all[i].report.memory.fragments) << i;
+    EXPECT_EQ(some[i].report.memory.fragmentsStored, all[i].report.memory.fragmentsStored) << i;
+  }
+  EXPECT_GT(all[2].report.memory.fragments, all[1].report.memory.fragments);
+  EXPECT_GT(all[1].report.memory.fragments, all[0].report.memory.fragments);
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ class TracingShaders : public ContextTest {
 // A file that includes all that it names compiles with nothing before it, so the order of includes has no say.
 TEST_F(TracingShaders, IncludeWhatTheyName) {
   // What the host chooses when it makes a program.
-  const std::vector<gl::Define> choices = {{"PAGE_SIZE", "4u"}, {"LINEAR_STEPS", "3"}, {"STEP", "0"}};
+  const std::vector<gl::Define> choices = {{"PAGE_SIZE", "4u"}, {"LINEAR_STEPS", "3"}};
   int count = 0;
   for (const gl::ShaderFile& file : gl::shaderFiles()) {
     const std::string path(file.path);

@@ -21,6 +21,9 @@ struct SceneCore {
 
 inline constexpr std::size_t kMaxOuterTriangles = 32;
 
+// Sorted, without empty ranges and overlaps.
+std::vector<VertexRange> mergeRanges(std::span<const VertexRange> ranges);
+
 // Bounds and core of a scene whose vertices move. Triangles are measured in blocks, so that an update costs what moved.
 class SceneExtents {
  public:
@@ -32,6 +35,9 @@ class SceneExtents {
   // Follows moved vertices; the triangles are those that the object was made from. Returns how many blocks were
   // measured: those that may use a moved vertex.
   std::size_t update(const Scene& scene, std::span<const VertexRange> moved);
+
+  // The blocks whose triangles may use a vertex of the ranges, which are merged; ascending.
+  std::vector<std::uint32_t> blocksUsing(std::span<const VertexRange> merged) const;
 
   const Bounds& bounds() const { return bounds_; }  // of the vertices that triangles use, as Scene::bounds()
   const SceneCore& core() const { return core_; }

@@ -103,8 +103,7 @@ void AttributeTracer::update(const FrameView& view, const SceneChange&) {
   voxels_.words.bindStorage(SSBO_VOXELS);
   pool_.bind();
   entries_.bindImage(IMAGE_ENTRIES, GL_WRITE_ONLY);
-  rasterizeScene(*api_, build_, vertexArray_, scene,
-                 {.resolution = grid_.texels, .projections = own ? 1 : 3});
+  rasterizeScene(*api_, build_, vertexArray_, scene, {.resolution = grid_.texels, .projections = own ? 1 : 3});
   // Entries (image stores), heads and links (fragments) are read by the sort and the trace.
   api_->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
   if (sort_) sortLists();

@@ -9,14 +9,15 @@ namespace halfsilver::shared {
 
 // Indirect dispatches begin here.
 static_assert(offsetof(BrickWork, brickGroupsX) == 0);
-static_assert(offsetof(BrickWork, triangleGroupsX) == 12);
-static_assert(offsetof(BrickWork, buildGroupsX) == 24);
-static_assert(offsetof(BrickWork, buildCount) == 36);
-static_assert(offsetof(BrickWork, requestedBricks) == 44);
-static_assert(offsetof(BrickWork, waitingWords) == 48);
-static_assert(offsetof(BrickWork, longestWaiting) == 52);
-static_assert(offsetof(BrickWork, usedWords) == 56);
-static_assert(offsetof(BrickWork, staleHeaderWords) == 72);
-static_assert(sizeof(BrickWork) == 80);
+static_assert(offsetof(BrickWork, blockGroupsX) == 12);
+static_assert(offsetof(BrickWork, triangleGroupsX) == 24);
+static_assert(offsetof(BrickWork, buildGroupsX) == 36);
+static_assert(offsetof(BrickWork, buildCount) == 52);
+static_assert(offsetof(BrickWork, requestedBricks) == 60);
+static_assert(offsetof(BrickWork, waitingWords) == 64);
+static_assert(offsetof(BrickWork, longestWaiting) == 68);
+static_assert(offsetof(BrickWork, usedWords) == 72);
+static_assert(offsetof(BrickWork, staleHeaderWords) == 88);
+static_assert(sizeof(BrickWork) == 96);
 
 }  // namespace halfsilver::shared

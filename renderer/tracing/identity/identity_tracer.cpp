@@ -56,10 +56,10 @@ void IdentityTracer::update(const FrameView& view, const SceneChange& change) {
   dispatchesToLook_ = kKeptDispatches;
   firstLookAhead_ = kKeptLookAhead;
   if (kept && change.moved.empty()) return;
-  const Grid bricks = store_.brickGridOf(view.scene);
   built_ = false;  // until nothing has failed
   store_.setOuter(view.scene.extents.core().outer);
-  if (kept && store_.ownAxis() && bricks == store_.brickGrid()) {
+  const bool suits = store_.suits(view.scene);
+  if (kept && store_.ownAxis() && suits) {
     const auto scope = view.profiler.section("voxelize");
     if (store_.stuck()) {
       store_.forget(view.scene);
@@ -67,7 +67,12 @@ void IdentityTracer::update(const FrameView& view, const SceneChange& change) {
     }
     builder_.giveUpMoved(view.scene, change.moved, store_);
   } else {
-    store_.start(view, bricks);
+    // What has left the grid will move on.
+    store_.start(view, store_.brickGridOf(view.scene, kept && !suits));
+    {
+      const auto scope = view.profiler.section("voxelize");
+      builder_.measure(view.scene, store_);
+    }
     builder_.clearCounters();
     firstLookAhead_ = kFirstLookAhead;
     dispatchesToLook_ = kFirstDispatches;

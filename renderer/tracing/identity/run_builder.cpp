@@ -1,6 +1,8 @@
 #include "tracing/identity/run_builder.h"
 
 #include <algorithm>
+#include <numeric>
+#include <vector>
 
 #include "shared/tracing.h"
 #include "tracing/identity/resize.h"
@@ -10,13 +12,30 @@ namespace halfsilver {
 namespace {
 
 constexpr std::size_t kBrickBuildBytes = (2 + VOXELS_PER_BRICK) * sizeof(GLuint);  // BrickBuild
+constexpr std::size_t kTriangleBlockBytes = 3 * sizeof(GLuint);                    // BoundedBlock
+static_assert(SceneExtents::kBlockTriangles == MOVED_BLOCK && MOVED_BLOCK % TRIANGLE_BLOCK == 0);
+
+std::size_t blocksOf(const GpuScene& scene, std::size_t triangles) {
+  return (scene.triangleCount + triangles - 1) / triangles;
+}
+
+// MovedVertices.
+gl::Buffer movedVertices(const gl::Api& api, std::span<const VertexRange> ranges,
+                         std::span<const std::uint32_t> blocks) {
+  std::vector<GLuint> words = {static_cast<GLuint>(ranges.size()), static_cast<GLuint>(blocks.size())};
+  for (const VertexRange& range : ranges) words.insert(words.end(), {range.first, range.first + range.count});
+  words.insert(words.end(), blocks.begin(), blocks.end());
+  return gl::makeBuffer<GLuint>(api, words, "moved vertices");
+}
 
 }  // namespace
 
 RunBuilder::RunBuilder(const gl::Api& api)
     : api_(&api),
+      boundBlocks_(gl::Program::compute(api, "tracing/identity/bound_blocks.comp")),
       beginBuild_(gl::Program::compute(api, "tracing/identity/begin_build.comp")),
       listRequested_(gl::Program::compute(api, "tracing/identity/list_requested.comp")),
+      collectBlocks_(gl::Program::compute(api, "tracing/identity/collect_blocks.comp")),
       collectRequested_(gl::Program::compute(api, "tracing/identity/collect_requested.comp")),
       placeRuns_(gl::Program::compute(api, "tracing/identity/place_runs.comp")),
       finishBricks_(gl::Program::compute(api, "tracing/identity/finish_bricks.comp")),
@@ -30,6 +49,25 @@ RunBuilder::Visit RunBuilder::makeVisit(const gl::Api& api, const std::string& n
           gl::Program::raster(api, "tracing/common/large_triangles.vert", path + ".frag")};
 }
 
+void RunBuilder::measure(const GpuScene& scene, const RunStore& store) {
+  resize(*api_, blocks_, blocksOf(scene, TRIANGLE_BLOCK) * kTriangleBlockBytes, "blocks of triangles");
+  std::vector<std::uint32_t> all(blocksOf(scene, MOVED_BLOCK));
+  std::iota(all.begin(), all.end(), 0u);
+  const gl::Buffer vertices = movedVertices(*api_, {}, all);
+  vertices.bindStorage(SSBO_MOVED_VERTICES);
+  measure(all.size(), scene, store);
+}
+
+void RunBuilder::measure(std::size_t blocks, const GpuScene& scene, const RunStore& store) const {
+  store.grid().apply(boundBlocks_);
+  boundBlocks_.set("triangleCount", scene.triangleCount);
+  scene.bindTriangles();
+  blocks_.bindStorage(SSBO_TRIANGLE_BLOCKS);
+  dispatchFor(*api_, boundBlocks_, blocks * (MOVED_BLOCK / TRIANGLE_BLOCK));
+  // Boxes (this dispatch) are read by builds.
+  api_->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+}
+
 void RunBuilder::begin(const GpuScene& scene, const RunStore& store) {
   triangles_.begin(scene, store.ownAxis());
   resize(*api_, brickBuilds_, std::min(kMaxRequests, store.brickCount()) * kBrickBuildBytes, "builds of bricks");
@@ -41,7 +79,7 @@ void RunBuilder::buildRequested(const GpuScene& scene, const RunStore& store) {
   triangles_.bind();
   beginBuild_.set("maxRequests", kMaxRequests);
   beginBuild_.set("brickCount", store.brickCount());
-  beginBuild_.set("triangleCount", scene.triangleCount);
+  beginBuild_.set("blockCount", static_cast<GLuint>(blocksOf(scene, TRIANGLE_BLOCK)));
   beginBuild_.use();
   api_->DispatchCompute(1, 1, 1);
   // Arguments and counts (this dispatch) are read by all steps.
@@ -50,6 +88,10 @@ void RunBuilder::buildRequested(const GpuScene& scene, const RunStore& store) {
   listRequested_.set("brickCount", store.brickCount());
   dispatchForBuilds(listRequested_, offsetof(shared::BrickWork, brickGroupsX), store);
 
+  store.grid().apply(collectBlocks_);
+  collectBlocks_.set("triangleBlockCount", static_cast<GLuint>(blocksOf(scene, TRIANGLE_BLOCK)));
+  blocks_.bindStorage(SSBO_TRIANGLE_BLOCKS);
+  dispatchForBuilds(collectBlocks_, offsetof(shared::BrickWork, blockGroupsX), store);
   store.grid().apply(collectRequested_);
   collectRequested_.set("ownAxis", store.ownAxis() ? 1 : 0);
   collectRequested_.set("triangleCount", scene.triangleCount);
@@ -109,13 +151,14 @@ void RunBuilder::giveUpMoved(const GpuScene& scene, std::span<const VertexRange>
   const Grid& grid = store.brickGrid();
   grid.apply(collectMoved_);
   collectMoved_.set("ownAxis", store.ownAxis() ? 1 : 0);
-  for (const VertexRange& range : moved) {
-    triangles_.begin(scene, store.ownAxis());
-    collectMoved_.set("firstVertex", static_cast<GLuint>(range.first));
-    collectMoved_.set("vertexCount", static_cast<GLuint>(range.count));
-    triangles_.choose(collectMoved_, scene);
-    visit(markMoved_, grid, scene, store);
-  }
+  const std::vector<VertexRange> ranges = mergeRanges(moved);
+  const std::vector<std::uint32_t> blocks = scene.extents.blocksUsing(ranges);
+  const gl::Buffer vertices = movedVertices(*api_, ranges, blocks);
+  vertices.bindStorage(SSBO_MOVED_VERTICES);
+  measure(blocks.size(), scene, store);
+  triangles_.begin(scene, store.ownAxis());
+  triangles_.choose(collectMoved_, scene, blocks.size() * MOVED_BLOCK);
+  visit(markMoved_, grid, scene, store);
   store.growEmpty();
   transient_ = std::max(transient_, bytes());
 }
@@ -126,7 +169,7 @@ void RunBuilder::releaseMemory() {
 }
 
 void RunBuilder::addMemory(TracerMemory& memory) const {
-  memory.structureTotal += counters_.bytes();
+  memory.structureTotal += counters_.bytes() + blocks_.bytes();
   memory.transient = std::max(memory.transient, transient_);
 }
 

@@ -20,6 +20,8 @@ class RunBuilder {
   // Bricks that rays may ask for until the next build: 66 words each while they are built (4.3 MB).
   static constexpr std::uint32_t kMaxRequests = 16384;
 
+  // Measures all triangles, for a store that has been started.
+  void measure(const GpuScene& scene, const RunStore& store);
   // Makes room for builds in this frame.
   void begin(const GpuScene& scene, const RunStore& store);
   // Builds what has been requested since the last call. What finds no room in the store is missing again.
@@ -46,18 +48,20 @@ class RunBuilder {
   };
   static Visit makeVisit(const gl::Api& api, const std::string& name);
 
+  void measure(std::size_t blocks, const GpuScene& scene, const RunStore& store) const;
   void visit(const Visit& programs, const Grid& grid, const GpuScene& scene, const RunStore& store) const;
   void visitBuilds(bool secondStep, const GpuScene& scene, const RunStore& store) const;
   void dispatchForBuilds(const gl::Program& program, std::size_t arguments, const RunStore& store) const;
 
   const gl::Api* api_;
-  gl::Program beginBuild_, listRequested_, collectRequested_, placeRuns_, finishBricks_;
+  gl::Program boundBlocks_, beginBuild_, listRequested_, collectBlocks_, collectRequested_, placeRuns_, finishBricks_;
   Visit build_;
   gl::Program collectMoved_, giveUpMoved_;  // made with the first move
   Visit markMoved_;                         // likewise
   BuildCounters counters_;
   ListedTriangles triangles_;
   gl::Buffer brickBuilds_;
+  gl::Buffer blocks_;            // BoundedBlock[]
   std::uint64_t transient_ = 0;  // bytes, see TracerMemory
 };
 

@@ -14,6 +14,8 @@ namespace {
 
 constexpr std::uint64_t kWordBytes = sizeof(GLuint);
 constexpr double kVoxelsPerBrick = VOXELS_PER_BRICK;
+// Of the longest side of the scene, around it; see brickGridOf(). A grid with twice as much is too large.
+constexpr float kRoom = 0.1f;
 // Software rasterizers stop long loops, and one invocation copies a run.
 constexpr std::uint64_t kMaxSoftwareCopy = 8000;
 // The pool over its runs: as fit() makes it, and how much less or more may stay. And the share of stale words above
@@ -41,10 +43,20 @@ RunStore::RunStore(const gl::Api& api, const Settings& settings)
       growEmpty_(gl::Program::compute(api, "tracing/identity/grow_empty.comp")),
       work_(api, sizeof(shared::BrickWork), "work on bricks") {}
 
-Grid RunStore::brickGridOf(const GpuScene& scene) const {
+Grid RunStore::brickGridOf(const GpuScene& scene, bool room) const {
+  Bounds bounds = scene.extents.core().bounds;
+  if (room) {
+    const glm::vec3 margin(kRoom * longestSide(bounds.extent()));
+    bounds = {bounds.low - margin, bounds.high + margin};
+  }
   const double voxels = voxelsPerTriangle_ * static_cast<double>(scene.triangleCount);
   const double wanted = voxelsPerTriangle_ > 0 ? std::max(1.0, voxels / kVoxelsPerBrick) : 0.0;
-  return makeCubicGrid(scene.extents.core().bounds, std::max(1, resolution_ / BRICK_SIDE), wanted);
+  return makeCubicGrid(bounds, std::max(1, resolution_ / BRICK_SIDE), wanted);
+}
+
+bool RunStore::suits(const GpuScene& scene) const {
+  const Bounds& core = scene.extents.core().bounds;
+  return holds(brickGrid_, core) && longestSide(brickGrid_.extent) <= (1 + 4 * kRoom) * longestSide(core.extent());
 }
 
 void RunStore::setOuter(std::span<const std::uint32_t> triangles) {
@@ -127,7 +139,7 @@ void RunStore::fit(std::uint64_t besides) {
     work_.write(0, &known_, sizeof(known_));
     resizePool(0, besides);
   } else if (sparse() && movable()) {
-    compact(times(kHeadroom, left), besides);
+    compact(besides);
   } else if (capacity() < times(kMinHeadroom, known_.usedWords) || capacity() > times(kMaxHeadroom, known_.usedWords)) {
     resizePool(std::min(maxCapacity(), times(kHeadroom, known_.usedWords)), besides);
   }
@@ -152,19 +164,23 @@ bool RunStore::sparse() const {
 
 bool RunStore::movable() const { return !api_->software || known_.longestRun <= kMaxSoftwareCopy; }
 
-void RunStore::compact(std::uint64_t words, std::uint64_t besides) {
-  if (!compactSum_) compactSum_.emplace(*api_, "tracing/identity/compact_runs.comp");
+void RunStore::compact(std::uint64_t besides) {
+  const GLuint left = known_.usedWords - known_.staleWords;
+  const std::uint64_t words = times(kHeadroom, left);
+  if (!compactRuns_) compactRuns_ = gl::Program::compute(*api_, "tracing/identity/compact_runs.comp");
   gl::Buffer together;
   resize(*api_, together, words * kWordBytes, "A-buffer runs");
   noteTransient(besides + std::min(runs_.bytes(), together.bytes()));
-  const auto bindItems = [&] {
-    bind();
-    together.bindStorage(SSBO_COMPACTED_RUNS);
-  };
-  compactSum_->sum(brickCount(), bindItems);
-  compactSum_->place(brickCount(), bindItems);
+  known_.usedWords = 0;  // and counted up
+  work_.write(0, &known_, sizeof(known_));
+  bind();
+  together.bindStorage(SSBO_COMPACTED_RUNS);
+  compactRuns_.set("brickCount", brickCount());
+  dispatchFor(*api_, compactRuns_, brickCount());
+  // Runs and places (this dispatch) are read by the trace; the count is written again.
+  api_->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
   runs_ = std::move(together);
-  known_.usedWords -= known_.staleWords;
+  known_.usedWords = left;
   known_.headerWords -= known_.staleHeaderWords;
   known_.staleWords = known_.staleHeaderWords = 0;
   work_.write(0, &known_, sizeof(known_));
@@ -180,7 +196,6 @@ void RunStore::report(TracerMemory& memory) const {
   memory.lostFragments = lost_;
   memory.bytesPerFragment = static_cast<double>(kWordBytes);
   memory.structureTotal = memory.voxels + memory.heads + memory.poolReserved + outer_.bytes() + work_.bytes();
-  if (compactSum_) memory.structureTotal += compactSum_->bytes();
   memory.transient = transient_;
 }
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <span>
 
 #include <halfsilver/settings.h>
@@ -8,7 +7,6 @@
 #include "tracing/grid.h"
 #include "tracing/identity/brick_work.h"
 #include "tracing/identity/entry_layout.h"
-#include "tracing/identity/prefix_sum.h"
 #include "tracing/voxel_pass.h"
 
 namespace halfsilver {
@@ -21,8 +19,11 @@ class RunStore {
  public:
   RunStore(const gl::Api& api, const Settings& settings);
 
-  // Bricks for a scene, by its size and number of triangles.
-  Grid brickGridOf(const GpuScene& scene) const;
+  // Bricks for a scene, by its size and number of triangles. With `room` there is some around it, so that what moves
+  // does not leave the grid at once.
+  Grid brickGridOf(const GpuScene& scene, bool room) const;
+  // Whether the grid that is there will do for the scene as it is now: holds it, and is not much too large.
+  bool suits(const GpuScene& scene) const;
 
   // Triangles that reach beyond the grid: every ray tests them.
   void setOuter(std::span<const std::uint32_t> triangles);
@@ -67,7 +68,7 @@ class RunStore {
   bool sparse() const;
   bool movable() const;
   void resizePool(std::uint64_t words, std::uint64_t besides);
-  void compact(std::uint64_t words, std::uint64_t besides);
+  void compact(std::uint64_t besides);
   void noteTransient(std::uint64_t bytes) { transient_ = std::max(transient_, bytes); }
 
   const gl::Api* api_;
@@ -76,7 +77,7 @@ class RunStore {
   bool ownAxis_;
   VoxelPass voxelPass_;
   gl::Program beginBricks_, growEmpty_;
-  std::optional<PrefixSum> compactSum_;  // made when it is first needed
+  gl::Program compactRuns_;  // made when it is first needed
 
   Grid grid_, brickGrid_;
   EntryLayout entryLayout_;

@@ -7,9 +7,10 @@
 #define SSBO_BRICK_WORK 14   // BrickWork
 #define SSBO_OUTER 15        // uint[1 + count]: triangles that reach beyond the grid: their count, then their numbers
 // Builds touch no queue of rays and use its numbers; 5 and 7 are those of the counters and of listed triangles.
-#define SSBO_BRICK_BUILDS 6    // BrickBuild[requested bricks]
-#define SSBO_BLOCK_SUMS 8      // uint[blocks of a prefix sum]
-#define SSBO_COMPACTED_RUNS 9  // uint[]: where compaction moves runs to
+#define SSBO_BRICK_BUILDS 6     // BrickBuild[requested bricks]
+#define SSBO_TRIANGLE_BLOCKS 8  // BoundedBlock[blocks of triangles]
+#define SSBO_COMPACTED_RUNS 9   // uint[]: where compaction moves runs to
+#define SSBO_MOVED_VERTICES 10  // MovedVertices
 
 // Voxels along a side of a brick. A brick's state is the place of its run, or one of these.
 #define BRICK_SHIFT 2
@@ -27,21 +28,27 @@
 // A brick's voxel in the packed grid (see shared/tracing.h): triangles of the last move came to it.
 #define VOXEL_MOVED 8u
 
-// Prefix sums: invocations per group.
-#define SUM_GROUP 128
+// Triangles of a block that a build looks at, and of one that is said to have moved (see SceneExtents).
+#define TRIANGLE_BLOCK 64
+#define MOVED_BLOCK 256
 
 // What rays ask for, and what becomes of it.
 struct BrickWork {
-  // Of the build under way: groups of its indirect dispatches over bricks, triangles and builds.
+  // Of the build under way: groups of its indirect dispatches over bricks, blocks of triangles, the triangles of those
+  // that are wanted, and builds.
   uint brickGroupsX;
   uint brickGroupsY;
   uint brickGroupsZ;
+  uint blockGroupsX;
+  uint blockGroupsY;
+  uint blockGroupsZ;
   uint triangleGroupsX;
   uint triangleGroupsY;
   uint triangleGroupsZ;
   uint buildGroupsX;
   uint buildGroupsY;
   uint buildGroupsZ;
+  uint wantedBlocks;
   uint buildCount;
   uint nextWord;         // behind the runs that have been placed, and beyond if one found no room
   uint requestedBricks;  // since the last build

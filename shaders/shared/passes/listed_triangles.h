@@ -6,7 +6,7 @@
 #define SSBO_LISTED_TRIANGLES 7  // ListedTriangles, then uint[triangles]
 
 // A triangle is small if its box has at most so many texels in every projection, and so many depths.
-#define SMALL_TEXELS 32
+#define SMALL_TEXELS 128
 #define SMALL_DEPTHS 64
 // Invocations per group of a dispatch over triangles, and the groups along x that OpenGL guarantees.
 #define TRIANGLE_GROUP 64

@@ -11,7 +11,8 @@ void visitVoxel(ivec3 voxel);
 void visitTouchedVoxels(ProjectedTriangle t, ivec2 texel) {
   ivec3 voxels = permutedVoxels(t.axis);
   vec2 depths;
-  bool touches = texel.x < voxels.x && texel.y < voxels.y && touchesTexel(t.a, t.b, t.c, texel, vec2(voxels.xy), depths);
+  bool touches = texel.x < voxels.x && texel.y < voxels.y &&
+                 touchesTexel(t.a, t.b, t.c, texel, vec2(voxels.xy), depths);
   int first = clamp(int(floor(depths.x * float(voxels.z) - overlapSlack)), 0, voxels.z - 1);
   int last = touches ? clamp(int(floor(depths.y * float(voxels.z) + overlapSlack)), 0, voxels.z - 1) : -1;
   for (int depth = first; depth <= last; ++depth) visitVoxel(ivec3(unpermute(vec3(texel, depth), t.axis)));

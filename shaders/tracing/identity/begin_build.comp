@@ -8,7 +8,7 @@
 layout(local_size_x = 1) in;
 uniform uint maxRequests;
 uniform uint brickCount;
-uniform uint triangleCount;
+uniform uint blockCount;  // of triangles
 
 // Of 64 invocations each, in rows; see dispatchFor().
 uvec3 groupsFor(uint items) {
@@ -26,10 +26,13 @@ void main() {
   brickWork.brickGroupsX = groups.x;
   brickWork.brickGroupsY = groups.y;
   brickWork.brickGroupsZ = groups.z;
-  groups = groupsFor(count > 0u ? triangleCount : 0u);
-  brickWork.triangleGroupsX = groups.x;
-  brickWork.triangleGroupsY = groups.y;
-  brickWork.triangleGroupsZ = groups.z;
+  groups = groupsFor(count > 0u ? blockCount : 0u);
+  brickWork.blockGroupsX = groups.x;
+  brickWork.blockGroupsY = groups.y;
+  brickWork.blockGroupsZ = groups.z;
+  brickWork.triangleGroupsX = 0u;  // counted up
+  brickWork.triangleGroupsY = brickWork.triangleGroupsZ = 1u;
+  brickWork.wantedBlocks = 0u;
   groups = groupsFor(count);
   brickWork.buildGroupsX = groups.x;
   brickWork.buildGroupsY = groups.y;

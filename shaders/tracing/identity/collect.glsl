@@ -1,4 +1,4 @@
-// Lists triangles for a build. Compute shaders of one invocation per triangle.
+// Lists triangles for a build.
 #include "shared/passes/listed_triangles.h"
 #include "tracing/common/listed_triangles.glsl"
 #include "tracing/common/small_triangle.glsl"
@@ -6,11 +6,6 @@
 layout(local_size_x = TRIANGLE_GROUP) in;
 
 uniform uint triangleCount;
-
-// The invocation's triangle; there is none from `triangleCount` on.
-uint invocationTriangle() {
-  return gl_GlobalInvocationID.x + gl_GlobalInvocationID.y * gl_NumWorkGroups.x * gl_WorkGroupSize.x;
-}
 
 // `a`, `b`, `c` in world space.
 void listTriangle(uint triangle, vec3 a, vec3 b, vec3 c) {

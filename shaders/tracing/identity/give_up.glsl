@@ -3,6 +3,7 @@
 #include "tracing/identity/bricks.glsl"
 
 void giveUp(uint brick) {
+  if (bricks[brick] == BRICK_MISSING) return;  // another triangle came before; looking saves the atomic
   uint run = atomicExchange(bricks[brick], BRICK_MISSING);
   if (!present(run)) return;
   atomicAdd(brickWork.staleWords, runWords(run));
