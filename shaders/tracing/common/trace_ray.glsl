@@ -1,6 +1,7 @@
 // Tracing of one ray of the queue. The method's search.glsl defines march() and storeSurface(); its entry points
 // trace.comp and trace.frag share every line (tests hold them to the same bits).
 #include "lib/frame.glsl"
+#include "lib/load_ray.glsl"
 #include "shared/bindings.h"
 #include "shared/passes/trace.h"
 #include "shared/rays.h"
@@ -11,7 +12,6 @@
 #include "tracing/common/trace_state.glsl"
 #include "tracing/common/walk.glsl"
 
-layout(std430, binding = SSBO_RAYS) readonly buffer RayBlock { Ray rays[]; };
 layout(std430, binding = SSBO_RAY_COUNT) coherent buffer RayCountBlock { RayCount rayCount; };
 layout(std430, binding = SSBO_HITS) buffer HitBlock { Hit hits[]; };
 layout(std430, binding = SSBO_PAUSED) buffer PausedBlock { PausedRay paused[]; };
@@ -27,7 +27,7 @@ void traceRay(uint index) {
     if (hits[index].triangle != UNFINISHED_TRIANGLE) return;
     pause = paused[index];
   }
-  Ray queued = rays[index];
+  Ray queued = loadRay(index, rayCount.source);
   TraceRay ray;
   ray.origin = queued.origin;
   ray.direction = queued.direction;
