@@ -9,7 +9,6 @@
 #include <thread>
 
 #include <halfsilver/error.h>
-#include <halfsilver/gl/readback.h>
 #include <halfsilver/ray_reader.h>
 #include "scene/alpha.h"
 
@@ -73,7 +72,6 @@ class ExactTracer final : public Tracer {
       : scene_(&scene),
         threads_(threads > 0 ? static_cast<unsigned>(threads) : std::max(1u, std::thread::hardware_concurrency())),
         device_(rtcNewDevice(("threads=" + std::to_string(threads_)).c_str())),
-        countRead_(api),
         rayReader_(api) {
     if (!device_) throw Error(ErrorKind::failed, "Embree cannot make a device");
     rtcSetDeviceMemoryMonitorFunction(device_.get(), countMemory, &bytes_);
@@ -125,8 +123,8 @@ class ExactTracer final : public Tracer {
 
   // Valid until the next call.
   std::span<const Ray> read(const FrameView& view, const RayQueue& rays) {
-    rayReader_.submit(view, rays, countRead_.read<shared::RayCount>(rays.count).count);
-    return rayReader_.rays();
+    rayReader_.submit(view, rays, 0);
+    return rayReader_.rays(view, rays);
   }
 
   // Writes `query(ray)` for every ray of the queue.
@@ -197,7 +195,6 @@ class ExactTracer final : public Tracer {
   std::atomic<std::int64_t> bytes_{0};
   Device device_;
   EmbreeScene embreeScene_;
-  gl::BlockingRead countRead_;
   RayReader rayReader_;
 };
 

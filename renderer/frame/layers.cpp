@@ -68,9 +68,9 @@ std::vector<std::uint32_t> pixelsOf(const RayQueue& rays, std::uint32_t count) {
 
 void addHits(Image& image, const FrameView& view, const RayBatch& batch, RayReader& reader,
              std::optional<VertexNormals>& vertexNormals) {
-  const auto count = batch.rays.count.read<shared::RayCount>(1)[0].count;
-  reader.submit(view, batch.rays, count);
-  const std::span<const Ray> queue = reader.rays();
+  reader.submit(view, batch.rays, 0);
+  const std::span<const Ray> queue = reader.rays(view, batch.rays);
+  const auto count = static_cast<std::uint32_t>(queue.size());
   const std::vector<std::uint32_t> pixels = pixelsOf(batch.rays, count);
   const std::vector<Hit> results = batch.hits.hits.read<Hit>(count);
   std::vector<HitSurface> surfaces;

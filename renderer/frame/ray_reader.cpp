@@ -1,6 +1,7 @@
 #include <halfsilver/ray_reader.h>
 
 #include <algorithm>
+#include <utility>
 
 #include <halfsilver/error.h>
 #include "gl/program.h"
@@ -20,30 +21,48 @@ std::uint32_t maxRaysOf(const gl::Api& api) {
 }  // namespace
 
 RayReader::RayReader(const gl::Api& api)
-    : api_(&api), program_(std::make_unique<gl::Program>(gl::Program::compute(api, "passes/read_rays.comp"))) {}
+    : RayReader(api, std::make_shared<const gl::Program>(gl::Program::compute(api, "passes/read_rays.comp"))) {}
+RayReader::RayReader(const gl::Api& api, std::shared_ptr<const gl::Program> program)
+    : api_(&api), program_(std::move(program)), countRead_(api) {}
 RayReader::~RayReader() = default;
 RayReader::RayReader(RayReader&&) noexcept = default;
 RayReader& RayReader::operator=(RayReader&&) noexcept = default;
 
-void RayReader::submit(const FrameView& view, const RayQueue& rays, std::uint32_t count) {
-  fence_ = gl::Fence();
-  count_ = std::min(count, rays.capacity);
-  if (count_ == 0) return;
-  if (buffer_.bytes() < count_ * sizeof(shared::Ray)) {
+void RayReader::submit(const FrameView& view, const RayQueue& queue, std::uint32_t likely) {
+  written_ = std::min(likely, queue.capacity);
+  countRead_.clear();
+  write(view, queue);
+  count_ = countRead_.copy<shared::RayCount>(queue.count);
+  countRead_.submit();
+}
+
+std::span<const shared::Ray> RayReader::rays(const FrameView& view, const RayQueue& queue) {
+  countRead_.wait();
+  const std::uint32_t count = countRead_.values(count_)[0].count;
+  if (count > written_) {
+    submit(view, queue, count);
+    countRead_.wait();
+  }
+  return {memory_, count};
+}
+
+void RayReader::write(const FrameView& view, const RayQueue& queue) {
+  if (written_ == 0) return;
+  if (buffer_.bytes() < written_ * sizeof(shared::Ray)) {
     buffer_ = gl::Buffer();  // the old memory goes before the new comes
-    buffer_ =
-        gl::Buffer(*api_, (count_ + count_ / 4) * sizeof(shared::Ray), "rays for the host", gl::BufferUse::readback);
+    buffer_ = gl::Buffer(*api_, (written_ + written_ / 4) * sizeof(shared::Ray), "rays for the host",
+                         gl::BufferUse::readback);
     memory_ = static_cast<const shared::Ray*>(
         api_->MapNamedBufferRange(buffer_.name(), 0, static_cast<GLsizeiptr>(buffer_.bytes()),
                                   GL_MAP_READ_BIT | GL_MAP_PERSISTENT_BIT | GL_MAP_COHERENT_BIT));
     if (!memory_) throw Error(ErrorKind::failed, "the driver cannot map a buffer for rays");
   }
   const std::uint32_t slice = maxRaysOf(*api_);
-  for (std::uint32_t first = 0; first < count_; first += slice) {
-    const std::uint32_t some = std::min(slice, count_ - first);
+  for (std::uint32_t first = 0; first < written_; first += slice) {
+    const std::uint32_t some = std::min(slice, written_ - first);
     program_->use();
     program_->set("firstRay", first);
-    view.bindRays(rays);
+    view.bindRays(queue);
     api_->BindBufferRange(GL_SHADER_STORAGE_BUFFER, SSBO_READ_RAYS, buffer_.name(),
                           static_cast<GLintptr>(first * sizeof(shared::Ray)),
                           static_cast<GLsizeiptr>(some * sizeof(shared::Ray)));
@@ -51,13 +70,6 @@ void RayReader::submit(const FrameView& view, const RayQueue& rays, std::uint32_
   }
   // The rays (these dispatches) are read by the host through mapped memory.
   api_->MemoryBarrier(GL_CLIENT_MAPPED_BUFFER_BARRIER_BIT);
-  fence_ = gl::Fence(*api_);
-}
-
-std::span<const shared::Ray> RayReader::rays() const {
-  if (count_ == 0) return {};
-  fence_.wait();
-  return {memory_, count_};
 }
 
 }  // namespace halfsilver

@@ -45,20 +45,38 @@ class RayReaderTest : public ContextTest {
   GBuffer gbuffer_;
 };
 
-TEST_F(RayReaderTest, StoredRaysComeBackAsTheyAre) {
+TEST_F(RayReaderTest, StoredRaysComeBackAsTheyAreHoweverManyWereLikely) {
   const std::vector<Ray> rays = randomRays(1000);
-  const RayQueue queue = makeQueue(api, rays);
+  const RayQueue queue = makeQueue(api, rays), none = makeQueue(api, std::vector<Ray>());
   RayReader reader(api);
-  EXPECT_TRUE(reader.rays().empty());
-  reader.submit(view(), queue, 1000);
-  expectSame(reader.rays(), rays);
+  for (const std::uint32_t likely : {1000u, 77u, 0u, 5000u}) {
+    reader.submit(view(), queue, likely);
+    expectSame(reader.rays(view(), queue), rays);
+  }
   EXPECT_TRUE(reader.ready());
-  reader.submit(view(), queue, 77);
-  expectSame(reader.rays(), std::span(rays).first(77));
-  reader.submit(view(), queue, 5000);
-  EXPECT_EQ(reader.rays().size(), 1000u) << "a queue holds no more";
-  reader.submit(view(), queue, 0);
-  EXPECT_TRUE(reader.rays().empty());
+  reader.submit(view(), none, 10);
+  EXPECT_TRUE(reader.rays(view(), none).empty());
+}
+
+TEST_F(RayReaderTest, OneWaitIsEnoughIfNoMoreRaysAreThereThanWasLikely) {
+  const RayQueue queue = makeQueue(api, randomRays(300));
+  RayReader reader(api);
+  for (const std::uint32_t likely : {300u, 299u}) {
+    const std::uint64_t before = *api.hostWaits;
+    reader.submit(view(), queue, likely);
+    EXPECT_EQ(reader.rays(view(), queue).size(), 300u);
+    EXPECT_EQ(*api.hostWaits - before, likely == 300 ? 1u : 2u);
+  }
+}
+
+TEST_F(RayReaderTest, ReadersOfOneProgramKeepTheirOwnRays) {
+  const std::vector<Ray> some = randomRays(100), more = randomRays(200);
+  const RayQueue one = makeQueue(api, some), other = makeQueue(api, more);
+  RayReader first(api), second = first.another();
+  first.submit(view(), one, 100);
+  second.submit(view(), other, 200);
+  expectSame(second.rays(view(), other), more);
+  expectSame(first.rays(view(), one), some);
 }
 
 TEST_F(RayReaderTest, MoreRaysThanAStorageBlockHoldsComeInSlices) {
@@ -68,7 +86,7 @@ TEST_F(RayReaderTest, MoreRaysThanAStorageBlockHoldsComeInSlices) {
   small.limits.storageBlockBytes = 200 * sizeof(Ray);
   RayReader reader(small);
   reader.submit(view(), queue, 1000);
-  expectSame(reader.rays(), rays);
+  expectSame(reader.rays(view(), queue), rays);
   EXPECT_GT(static_cast<GLint64>(reader.bytes()), small.limits.storageBlockBytes);
 }
 

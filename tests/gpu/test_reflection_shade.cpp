@@ -239,7 +239,7 @@ TEST_F(ReflectionShade, PixelsAreShadedAsTheRaysThatStartThere) {
   ASSERT_GT(count, 100u);
   RayReader reader(api);
   reader.submit(view(), pixelQueue, count);
-  const std::span<const shared::Ray> rays = reader.rays();
+  const std::span<const shared::Ray> rays = reader.rays(view(), pixelQueue);
   const std::vector<std::uint32_t> numbers = pixelQueue.rays.read<std::uint32_t>(count);
   std::vector<shared::RayPath> paths;
   std::vector<shared::Hit> found;

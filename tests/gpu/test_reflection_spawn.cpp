@@ -78,7 +78,7 @@ class ReflectionSpawn : public testing::ContextTest {
     EXPECT_EQ(result.count.source, RAYS_OF_PIXELS);
     RayReader reader(api);
     reader.submit(view, queue, result.count.count);
-    const std::span<const shared::Ray> rays = reader.rays();
+    const std::span<const shared::Ray> rays = reader.rays(view, queue);
     result.rays.assign(rays.begin(), rays.end());
     result.pixelsOfRays = result.pixels = queue.rays.read<std::uint32_t>(result.count.count);
     result.contributions = frame.contributions.counts.read<GLuint>(CONTRIBUTION_CLASSES);

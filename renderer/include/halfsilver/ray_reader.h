@@ -23,22 +23,29 @@ class RayReader {
   RayReader(RayReader&&) noexcept;
   RayReader& operator=(RayReader&&) noexcept;
 
-  // Has the first `count` rays written, at most as many as the queue holds, and forgets those before.
-  void submit(const FrameView& view, const RayQueue& rays, std::uint32_t count);
-  // Whether rays() would not wait. Never waits.
-  bool ready() const { return count_ == 0 || fence_.signaled(); }
-  // Waits for what submit() asked for. Valid until the next one.
-  std::span<const shared::Ray> rays() const;
+  // One more, which shares the program of this one.
+  RayReader another() const { return RayReader(*api_, program_); }
 
-  std::size_t bytes() const { return buffer_.bytes(); }  // of mapped memory
+  // Has the queue's count copied, and with it as many rays written as are likely to be there.
+  void submit(const FrameView& view, const RayQueue& queue, std::uint32_t likely);
+  // Whether rays() would not wait, but for rays beyond the likely ones. Never waits.
+  bool ready() const { return countRead_.ready(); }
+  // All rays of the queue. Waits; once more if there are more than was likely. Valid until the next submit().
+  std::span<const shared::Ray> rays(const FrameView& view, const RayQueue& queue);
+
+  std::size_t bytes() const { return buffer_.bytes() + countRead_.bytes(); }  // of mapped memory
 
  private:
+  RayReader(const gl::Api& api, std::shared_ptr<const gl::Program> program);
+  void write(const FrameView& view, const RayQueue& queue);
+
   const gl::Api* api_;
-  std::unique_ptr<gl::Program> program_;
+  std::shared_ptr<const gl::Program> program_;
+  gl::Readback countRead_;
+  gl::Readback::Slice<shared::RayCount> count_;
   gl::Buffer buffer_;
   const shared::Ray* memory_ = nullptr;
-  std::uint32_t count_ = 0;
-  gl::Fence fence_;
+  std::uint32_t written_ = 0;
 };
 
 }  // namespace halfsilver
