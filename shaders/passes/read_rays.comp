@@ -1,5 +1,5 @@
 // The rays of a queue, written whole for the host.
-#include "lib/load_ray.glsl"
+#include "lib/queued_ray.glsl"
 #include "shared/passes/read_rays.h"
 
 layout(local_size_x = 64) in;
@@ -11,5 +11,5 @@ uniform uint firstRay;
 
 void main() {
   uint number = gl_GlobalInvocationID.x, index = firstRay + number;
-  if (index < rayCount.count) readRays[number] = loadRay(index, rayCount.source);
+  if (index < rayCount.count) readRays[number] = queuedRay(index, rayCount.source);
 }

@@ -14,8 +14,8 @@ struct FrameView {
   gl::Profiler& profiler;
   const GBuffer& gbuffer;  // of this frame, from the G-buffer pass on
 
-  // What loadRay() of shaders/lib/load_ray.glsl reads of a queue: SSBO_RAYS, SSBO_RAY_COUNT, the frame's constants and
-  // the G-buffer.
+  // What queuedRay() of shaders/lib/queued_ray.glsl reads of a queue: SSBO_RAYS, SSBO_RAY_COUNT, the frame's constants
+  // and the G-buffer.
   void bindRays(const RayQueue& queue) const;
 };
 

@@ -65,7 +65,7 @@ struct GBuffer {
 };
 
 // Rays to trace, compacted, with a count that stays on the GPU. First rays are a pixel each, the rest of them stands in
-// the G-buffer; shaders see no difference (lib/load_ray.glsl).
+// the G-buffer; shaders see no difference (lib/queued_ray.glsl).
 struct RayQueue {
   gl::Buffer rays;   // Ray[capacity], or uint[capacity] of pixels: what a tracer reads
   gl::Buffer paths;  // RayPath[capacity], at the same index: what the effect knows of the ray; empty for pixels

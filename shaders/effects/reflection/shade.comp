@@ -2,7 +2,7 @@
 // the next bounce.
 #include "lib/evaluate_surface.glsl"
 #include "lib/lights.glsl"
-#include "lib/load_ray.glsl"
+#include "lib/queued_ray.glsl"
 #include "lib/scene.glsl"
 #include "lib/sky.glsl"
 #include "shared/passes/shade_hits.h"
@@ -74,7 +74,7 @@ RayPath loadPath(uint index, Ray ray) { return paths[index]; }
 void main() {
   uint index = (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * gl_WorkGroupSize.x + gl_LocalInvocationID.x;
   if (index >= rayCount.count) return;
-  Ray ray = loadRay(index, raySource);
+  Ray ray = queuedRay(index, raySource);
   RayPath path = loadPath(index, ray);
   Hit hit = hits[index];
   vec3 direction = ray.direction;

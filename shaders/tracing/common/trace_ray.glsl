@@ -1,7 +1,7 @@
 // Tracing of one ray of the queue. The method's search.glsl defines march() and storeSurface(); its entry points
 // trace.comp and trace.frag share every line (tests hold them to the same bits).
 #include "lib/frame.glsl"
-#include "lib/load_ray.glsl"
+#include "lib/queued_ray.glsl"
 #include "shared/bindings.h"
 #include "shared/passes/trace.h"
 #include "shared/rays.h"
@@ -27,7 +27,7 @@ void traceRay(uint index) {
     if (hits[index].triangle != UNFINISHED_TRIANGLE) return;
     pause = paused[index];
   }
-  Ray queued = loadRay(index, rayCount.source);
+  Ray queued = queuedRay(index, rayCount.source);
   TraceRay ray;
   ray.origin = queued.origin;
   ray.direction = queued.direction;

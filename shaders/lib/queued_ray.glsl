@@ -5,9 +5,9 @@
 #include "shared/bindings.h"
 #include "shared/rays.h"
 
-layout(std430, binding = SSBO_RAYS) readonly buffer RayBlock { uvec4 queuedRays[]; };
+layout(std430, binding = SSBO_RAYS) readonly buffer RayBlock { uvec4 rayRows[]; };
 
-uint pixelOfRay(uint index) { return queuedRays[index >> 2][index & 3u]; }
+uint pixelOfRay(uint index) { return rayRows[index >> 2][index & 3u]; }
 
 // The mirror image of the line from the eye to the pixel's surface. `precise`: every program must see the same ray.
 Ray mirrorRay(uint number) {
@@ -19,8 +19,8 @@ Ray mirrorRay(uint number) {
 }
 
 // source: RayCount::source.
-Ray loadRay(uint index, uint source) {
+Ray queuedRay(uint index, uint source) {
   if (source == RAYS_OF_PIXELS) return mirrorRay(pixelOfRay(index));
-  uvec4 start = queuedRays[2u * index], way = queuedRays[2u * index + 1u];
+  uvec4 start = rayRows[2u * index], way = rayRows[2u * index + 1u];
   return Ray(uintBitsToFloat(start.xyz), uintBitsToFloat(start.w), uintBitsToFloat(way.xyz), way.w);
 }
