@@ -6,9 +6,9 @@
 namespace halfsilver {
 
 std::size_t Frame::bytes() const {
-  std::size_t sum = constants.bytes() + gbuffer.bytes() + effect.bytes();
+  std::size_t sum = constants.bytes() + gbuffer.bytes() + effect.bytes() + hits.bytes();
+  for (const RayBatch& batch : batches) sum += batch.bytes();
   for (const RayQueue& queue : queues) sum += queue.bytes();
-  for (const Hits& result : hits) sum += result.bytes();
   return sum;
 }
 
@@ -18,7 +18,8 @@ void FrameRecord::begin() {
   known_ = {};
   memory_ = {};
   reported_ = false;
-  rayCounts_.clear();
+  firstCounts_.clear();
+  laterCounts_.clear();
   contributions_ = buildCounts_ = {};
   addBuildCounts_ = nullptr;
 }
@@ -31,8 +32,10 @@ void FrameRecord::end(const Frame& frame, const Tracer* tracer, std::size_t peak
   // Rays that nobody traces are no selection: the layers say so too.
   if (tracer) {
     memory_ = tracer->memory();
-    for (int i = 0; i < std::min(frame.settings.trace.bounces, 3); ++i)
-      rayCounts_.push_back(readback_.copy<shared::RayCount>(frame.queues[static_cast<std::size_t>(i)].count));
+    for (const RayBatch& batch : frame.batches)
+      firstCounts_.push_back(readback_.copy<shared::RayCount>(batch.rays.count));
+    for (int i = 0; i < std::min(frame.settings.trace.bounces - 1, 2); ++i)
+      laterCounts_.push_back(readback_.copy<shared::RayCount>(frame.queues[static_cast<std::size_t>(i)].count));
     contributions_ = readback_.copy<std::uint32_t>(frame.effect.contributions.counts, CONTRIBUTION_CLASSES);
     const TracerCounts counts = tracer->counts();
     if (counts.buffer) {
@@ -47,11 +50,14 @@ FrameReport FrameRecord::report() {
   if (reported_) return known_;
   if (!readback_.ready()) readback_.wait();
   for (const gl::SectionTime& time : profiler_.collect()) known_.times.push_back({time.name, time.milliseconds});
-  for (const auto& slice : rayCounts_) known_.overflow += readback_.values(slice)[0].overflow;
-  if (!rayCounts_.empty()) {
-    const shared::RayCount& first = readback_.values(rayCounts_[0])[0];
-    known_.selected = first.count;
-    known_.reflecting = first.reflecting;
+  for (const auto& slice : laterCounts_) known_.overflow += readback_.values(slice)[0].overflow;
+  for (const auto& slice : firstCounts_) {
+    const shared::RayCount& first = readback_.values(slice)[0];
+    known_.overflow += first.overflow;
+    known_.selected += first.count;
+    known_.reflecting += first.reflecting;
+  }
+  if (!firstCounts_.empty()) {
     const std::span<const std::uint32_t> classes = readback_.values(contributions_);
     known_.contributions.assign(classes.begin(), classes.end());
   }

@@ -13,16 +13,17 @@
 
 namespace halfsilver {
 
-// Everything that one frame owns, so that two can be under way. Queue and hits 0 are the first generation's, which the
-// layers show; later generations take turns with the others.
+// Everything that one frame owns, so that two can be under way. The batches of first rays stay until the next frame,
+// since the layers show them; later generations take turns with two queues.
 struct Frame {
   gl::Buffer constants;  // FrameConstants
   shared::FrameConstants host{};
   Settings settings;
   GBuffer gbuffer;
   EffectFrame effect;
-  std::array<RayQueue, 3> queues;
-  std::array<Hits, 2> hits;
+  std::vector<RayBatch> batches;
+  std::array<RayQueue, 2> queues;
+  Hits hits;  // of later generations
 
   std::size_t bytes() const;
 };
@@ -49,7 +50,7 @@ class FrameRecord {
   bool reported_ = false;
   gl::Profiler profiler_;
   gl::Readback readback_;
-  std::vector<gl::Readback::Slice<shared::RayCount>> rayCounts_;
+  std::vector<gl::Readback::Slice<shared::RayCount>> firstCounts_, laterCounts_;  // of batches and later generations
   gl::Readback::Slice<std::uint32_t> contributions_, buildCounts_;
   void (*addBuildCounts_)(std::span<const std::uint32_t>, TracerMemory&) = nullptr;
 };

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <deque>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
 
 #include <halfsilver/error.h>
+#include <halfsilver/ray_reader.h>
 #include "effects/ray_effect.h"
 #include "frame/frame_constants.h"
 #include "frame/gpu_scene.h"
@@ -64,15 +66,18 @@ struct Renderer::Impl {
   std::optional<std::size_t> reported;  // the record of the frame that finished last
   std::deque<std::size_t> unreported;   // records of finished frames, the oldest first
 
+  std::optional<RayReader> rayReader;  // of readLayers()
+
   FrameView viewOf(Frame& frame, gl::Profiler& profiler) const {
-    return {scene, shadows, frame.constants, frame.host, profiler};
+    return {scene, shadows, frame.constants, frame.host, profiler, frame.gbuffer};
   }
   std::size_t takeRecord();
   void useTracer(const Settings& wanted);
   void drawShadows(const Settings& wanted, gl::Profiler& profiler);
+  std::uint32_t maxRays(const Settings& wanted) const;
   void reserveHits(const RayQueue& rays, Hits& hits) const;
-  void submitBatch(const FrameView& view, Frame& frame, int batch);
-  void finishBatch(const FrameView& view, Frame& frame);
+  void submitBatch(const FrameView& view, Frame& frame, std::size_t number);
+  void finishBatch(const FrameView& view, Frame& frame, RayBatch& batch);
   void begin(const Camera& camera, const Settings& wanted, int width, int height);
   void finish(const Target& target);
   void noteChange(const SceneChange& changed);
@@ -112,6 +117,16 @@ void Renderer::Impl::drawShadows(const Settings& wanted, gl::Profiler& profiler)
   shadowSettings = wanted.shadow;
 }
 
+// Of a batch: what belongs to its rays fits one storage block each.
+std::uint32_t Renderer::Impl::maxRays(const Settings& wanted) const {
+  static_assert(sizeof(shared::Radiance) <= sizeof(shared::Hit) && sizeof(shared::PausedRay) <= sizeof(shared::Hit));
+  std::size_t bytes = sizeof(shared::Hit);
+  if (tracer->storesAttributes()) bytes = std::max(bytes, sizeof(shared::HitSurface));
+  if (effect->generations(wanted) > 1) bytes = std::max({bytes, sizeof(shared::Ray), sizeof(shared::RayPath)});
+  return static_cast<std::uint32_t>(std::min<std::uint64_t>(
+      static_cast<std::uint64_t>(api.limits.storageBlockBytes) / bytes, std::numeric_limits<std::uint32_t>::max()));
+}
+
 void Renderer::Impl::reserveHits(const RayQueue& rays, Hits& hits) const {
   const std::size_t hitBytes = rays.capacity * sizeof(shared::Hit);
   if (hits.hits.bytes() != hitBytes) hits.hits = gl::Buffer(api, hitBytes, "hits");
@@ -120,28 +135,29 @@ void Renderer::Impl::reserveHits(const RayQueue& rays, Hits& hits) const {
 }
 
 // The first rays of a batch, on their way.
-void Renderer::Impl::submitBatch(const FrameView& view, Frame& frame, int batch) {
-  effect->spawn(view, frame.gbuffer, batch, frame.queues[0], frame.effect);
-  reserveHits(frame.queues[0], frame.hits[0]);
-  tracer->submit(view, frame.queues[0], frame.hits[0]);
+void Renderer::Impl::submitBatch(const FrameView& view, Frame& frame, std::size_t number) {
+  RayBatch& batch = frame.batches[number];
+  effect->spawn(view, static_cast<int>(number), static_cast<int>(frame.batches.size()), batch.rays, frame.effect);
+  reserveHits(batch.rays, batch.hits);
+  tracer->submit(view, batch.rays, batch.hits);
 }
 
 // The hits of a batch and of all generations after it, into the picture.
-void Renderer::Impl::finishBatch(const FrameView& view, Frame& frame) {
-  tracer->collect(view, frame.queues[0], frame.hits[0]);
+void Renderer::Impl::finishBatch(const FrameView& view, Frame& frame, RayBatch& batch) {
+  tracer->collect(view, batch.rays, batch.hits);
   const int generations = effect->generations(frame.settings);
   for (int generation = 0; generation < generations; ++generation) {
     const bool last = generation + 1 == generations;
-    const RayQueue& rays = frame.queues[generation == 0 ? 0 : 1 + (generation - 1) % 2];
-    RayQueue& next = frame.queues[1 + generation % 2];
-    Hits& hits = frame.hits[generation == 0 ? 0 : 1];
+    const RayQueue& rays = generation == 0 ? batch.rays : frame.queues[static_cast<std::size_t>((generation - 1) % 2)];
+    RayQueue& next = frame.queues[static_cast<std::size_t>(generation % 2)];
+    Hits& hits = generation == 0 ? batch.hits : frame.hits;
     if (generation > 0) {
       reserveHits(rays, hits);
       tracer->trace(view, rays, hits);
     }
     effect->shade(view, rays, hits, generation, last ? nullptr : &next, frame.effect);
   }
-  effect->resolve(view, frame.queues[0], frame.effect, frame.gbuffer);
+  effect->resolve(view, batch.rays, frame.effect, frame.gbuffer);
 }
 
 // The stages of README.md up to the rays.
@@ -178,10 +194,10 @@ void Renderer::Impl::begin(const Camera& camera, const Settings& wanted, int wid
     for (RayQueue& queue : frame.queues)
       if (queue.count) queue.count.fill(0);  // overflow adds up over the generations that share a queue
     tracer->update(view, change);
+    frame.batches.resize(static_cast<std::size_t>(effect->batches(frame.gbuffer, maxRays(wanted))));
     submitBatch(view, frame, 0);
   } else {
-    frame.queues[0] = RayQueue();  // no memory for rays that nobody traces
-    frame.hits[0] = Hits();
+    frame.batches.clear();  // no memory for rays that nobody traces
   }
   change = {};
   underWay.push_back(work);
@@ -200,10 +216,9 @@ void Renderer::Impl::finish(const Target& target) {
     const auto section = record.profiler().section("frame");
     const FrameView view = viewOf(frame, record.profiler());
     if (tracer) {
-      finishBatch(view, frame);
-      for (int batch = 1; batch < effect->batches(frame.settings, frame.gbuffer); ++batch) {
-        submitBatch(view, frame, batch);
-        finishBatch(view, frame);
+      for (std::size_t number = 0; number < frame.batches.size(); ++number) {
+        if (number > 0) submitBatch(view, frame, number);
+        finishBatch(view, frame, frame.batches[number]);
       }
     }
     compositePass.run(view, frame.gbuffer, CompositePass::Output::display, target.framebuffer, {target.x, target.y});
@@ -347,7 +362,8 @@ Image Renderer::readLayers() const {
                       {0, 0});
   // Images and buffers (all stages) are read by the host.
   r.api.MemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
-  return assembleLayers(r.scene, frame.gbuffer, linear, frame.queues[0], frame.hits[0]);
+  if (!r.rayReader) r.rayReader.emplace(r.api);
+  return assembleLayers(r.viewOf(frame, untimed), linear, frame.batches, *r.rayReader);
 }
 
 }  // namespace halfsilver

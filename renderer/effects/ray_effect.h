@@ -8,7 +8,7 @@
 namespace halfsilver {
 
 // An effect turns a G-buffer into rays and their hits into light: one folder under effects/ each, on any Tracer. Rays
-// of one frame may come in several batches, each of which goes through
+// of one frame come in several batches if a storage block cannot hold what belongs to all; each goes through
 //
 //   spawn(), then for each generation: Tracer::trace() and shade(), then resolve().
 //
@@ -17,14 +17,14 @@ class RayEffect {
  public:
   virtual ~RayEffect() = default;
 
-  // How many batches a frame needs; one queue holds a batch.
-  virtual int batches(const Settings&, const GBuffer&) const { return 1; }
+  // How many batches a frame needs so that none has more than `maxRays`; one queue holds a batch.
+  virtual int batches(const GBuffer& gbuffer, std::uint32_t maxRays) const = 0;
   // How many times hits may send on rays, the first rays included: at least 1.
   virtual int generations(const Settings& settings) const = 0;
 
-  // Fills the queue with a batch of first rays, their count and the size of their dispatch. The G-buffer is
-  // shaded. Allocates what is too small.
-  virtual void spawn(const FrameView& view, const GBuffer& gbuffer, int batch, RayQueue& out, EffectFrame& frame) = 0;
+  // Fills the queue with batch number `batch` of `batches`: first rays, their count and the size of their dispatch.
+  // The G-buffer is shaded. Batch 0 begins the contributions, which all batches count. Allocates what is too small.
+  virtual void spawn(const FrameView& view, int batch, int batches, RayQueue& out, EffectFrame& frame) = 0;
 
   // Adds the light of the hits to the rays' slots, which generation 0 begins. `next` receives the rays of the next
   // generation, with their count and dispatch, and grows to hold as many as there can be; it is null in the last

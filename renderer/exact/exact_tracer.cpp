@@ -9,7 +9,7 @@
 #include <thread>
 
 #include <halfsilver/error.h>
-#include <halfsilver/gl/readback.h>
+#include <halfsilver/ray_reader.h>
 #include "scene/alpha.h"
 
 namespace halfsilver {
@@ -72,8 +72,7 @@ class ExactTracer final : public Tracer {
       : scene_(&scene),
         threads_(threads > 0 ? static_cast<unsigned>(threads) : std::max(1u, std::thread::hardware_concurrency())),
         device_(rtcNewDevice(("threads=" + std::to_string(threads_)).c_str())),
-        countRead_(api),
-        queueRead_(api) {
+        rayReader_(api) {
     if (!device_) throw Error(ErrorKind::failed, "Embree cannot make a device");
     rtcSetDeviceMemoryMonitorFunction(device_.get(), countMemory, &bytes_);
   }
@@ -123,20 +122,16 @@ class ExactTracer final : public Tracer {
   }
 
   // Valid until the next call.
-  std::span<const Ray> read(const RayQueue& rays) {
-    const std::uint32_t count = countRead_.read<shared::RayCount>(rays.count).count;
-    queueRead_.clear();
-    const auto slice = queueRead_.copy<Ray>(rays.rays, count);
-    queueRead_.submit();
-    queueRead_.wait();
-    return queueRead_.values(slice);
+  std::span<const Ray> read(const FrameView& view, const RayQueue& rays) {
+    rayReader_.submit(view, rays, 0);
+    return rayReader_.rays(view, rays);
   }
 
   // Writes `query(ray)` for every ray of the queue.
   template <class Query>
   void answer(const FrameView& view, const RayQueue& queue, Hits& hits, const Query& query) {
     const auto scope = view.profiler.hostSection("trace");
-    const std::span<const Ray> rays = read(queue);
+    const std::span<const Ray> rays = read(view, queue);
     std::vector<Hit> results(rays.size());
     constexpr std::size_t kChunk = 1024;
     std::atomic<std::size_t> next{0};
@@ -200,8 +195,7 @@ class ExactTracer final : public Tracer {
   std::atomic<std::int64_t> bytes_{0};
   Device device_;
   EmbreeScene embreeScene_;
-  gl::BlockingRead countRead_;
-  gl::Readback queueRead_;
+  RayReader rayReader_;
 };
 
 }  // namespace

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <optional>
-#include <span>
 #include <vector>
 
 namespace halfsilver {
@@ -60,21 +59,29 @@ class VertexNormals {
   std::vector<shared::VertexAttributes> attributes_;
 };
 
-void addHits(Image& image, const GpuScene& scene, const RayQueue& rays, const Hits& hits) {
-  const auto count = rays.count.read<shared::RayCount>(1)[0].count;
-  const std::vector<Ray> queue = rays.rays.read<Ray>(count);
-  const std::vector<RayPath> paths = rays.paths.read<RayPath>(count);
-  const std::vector<Hit> results = hits.hits.read<Hit>(count);
+std::vector<std::uint32_t> pixelsOf(const RayQueue& rays, std::uint32_t count) {
+  if (rays.ofPixels()) return rays.rays.read<std::uint32_t>(count);
+  std::vector<std::uint32_t> pixels;
+  for (const RayPath& path : rays.paths.read<RayPath>(count)) pixels.push_back(path.pixel);
+  return pixels;
+}
+
+void addHits(Image& image, const FrameView& view, const RayBatch& batch, RayReader& reader,
+             std::optional<VertexNormals>& vertexNormals) {
+  reader.submit(view, batch.rays, 0);
+  const std::span<const Ray> queue = reader.rays(view, batch.rays);
+  const auto count = static_cast<std::uint32_t>(queue.size());
+  const std::vector<std::uint32_t> pixels = pixelsOf(batch.rays, count);
+  const std::vector<Hit> results = batch.hits.hits.read<Hit>(count);
   std::vector<HitSurface> surfaces;
-  std::optional<VertexNormals> vertexNormals;
-  if (hits.surfaces)
-    surfaces = hits.surfaces.read<HitSurface>(count);
-  else
-    vertexNormals.emplace(scene);
+  if (batch.hits.surfaces)
+    surfaces = batch.hits.surfaces.read<HitSurface>(count);
+  else if (!vertexNormals)
+    vertexNormals.emplace(view.scene);
 
   const auto width = static_cast<std::size_t>(image.width), height = static_cast<std::size_t>(image.height);
   for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t pixel = paths[i].pixel;
+    const std::size_t pixel = pixels[i];
     const std::size_t row = height - 1 - pixel / width;
     float* out = &image.data[(row * width + pixel % width) * layerCount];
     out[selectedY] = 1;
@@ -90,8 +97,9 @@ void addHits(Image& image, const GpuScene& scene, const RayQueue& rays, const Hi
 
 }  // namespace
 
-Image assembleLayers(const GpuScene& scene, const GBuffer& gbuffer, const gl::Texture& linear, const RayQueue& rays,
-                     const Hits& hits) {
+Image assembleLayers(const FrameView& view, const gl::Texture& linear, std::span<const RayBatch> batches,
+                     RayReader& reader) {
+  const GBuffer& gbuffer = view.gbuffer;
   Image image{gbuffer.width,
               gbuffer.height,
               {"R", "G", "B", "A", "depth.Z", "normal.X", "normal.Y", "normal.Z", "reflectivity.Y", "selected.Y",
@@ -114,7 +122,8 @@ Image assembleLayers(const GpuScene& scene, const GBuffer& gbuffer, const gl::Te
       for (glm::length_t c = 0; c < 3; ++c) out[normalX + static_cast<std::size_t>(c)] = normal[pixel][c];
       out[reflectivityY] = normal[pixel].w;
     }
-  if (hits.hits) addHits(image, scene, rays, hits);
+  std::optional<VertexNormals> vertexNormals;
+  for (const RayBatch& batch : batches) addHits(image, view, batch, reader, vertexNormals);
   return image;
 }
 

@@ -21,7 +21,7 @@ GLbitfield storageFlags(BufferUse use) {
 Buffer::Buffer(const Api& api, std::size_t bytes, const char* label, BufferUse use) : api_(&api), bytes_(bytes) {
   if (bytes == 0) return;
   const GLint64 limit = use == BufferUse::texels ? api.limits.bufferTexels * kTexelBytes : api.limits.storageBlockBytes;
-  if (static_cast<GLint64>(bytes) > limit)
+  if (use != BufferUse::readback && static_cast<GLint64>(bytes) > limit)
     throw Error(ErrorKind::failed, std::string("the ") + label + " buffer needs " + std::to_string(bytes >> 20) +
                                        " MiB, the device's limit for one buffer is " + std::to_string(limit >> 20) +
                                        " MiB");

@@ -72,10 +72,8 @@ void TracePass::dispatch(const RayQueue& rays) const {
 }
 
 void TracePass::bind(const FrameView& view, const RayQueue& rays, const Hits& hits) const {
-  view.constants.bindUniform(UBO_FRAME);
   view.scene.bindSurfaces();
-  rays.rays.bindStorage(SSBO_RAYS);
-  rays.count.bindStorage(SSBO_RAY_COUNT);
+  view.bindRays(rays);
   hits.hits.bindStorage(SSBO_HITS);
   if (hits.surfaces) hits.surfaces.bindStorage(SSBO_HIT_SURFACES);
   paused_.bindStorage(SSBO_PAUSED);

@@ -13,8 +13,8 @@
 #define SSBO_MATERIALS 3   // GpuMaterial[materials]
 #define SSBO_LIGHTS 4      // GpuLight[lights]
 // A queue of rays and their hits.
-#define SSBO_RAYS 5       // Ray[]
-#define SSBO_PATHS 6      // RayPath[]
+#define SSBO_RAYS 5       // Ray[], or uint[] of pixels, see RayCount::source
+#define SSBO_PATHS 6      // RayPath[], of stored rays
 #define SSBO_RAY_COUNT 7  // RayCount
 #define SSBO_HITS 8       // Hit[]
 // The passes' own numbers begin here.

@@ -16,7 +16,11 @@ struct Ray {
 };
 #define FAR_AWAY 3.0e38f
 
-// What an effect knows of the same ray, at the same index.
+// RayCount::source: what SSBO_RAYS holds of a queue's rays.
+#define RAYS_STORED 0u     // Ray[], with a RayPath[] at the same index
+#define RAYS_OF_PIXELS 1u  // uint[]: pixels, as RayPath::pixel; mirror rays that start on the G-buffer's surfaces
+
+// What an effect knows of a stored ray, at the same index.
 struct RayPath {
   vec3 throughput;
   float pathLength;  // from the eye to the origin, meters (for texture footprints)
@@ -43,7 +47,7 @@ struct RayCount {
   uint reflecting;  // before the selection is thinned by fraction and contribution
   uint unfinished;  // rays that a dispatch left for the next one (see tracing)
   uint overflow;    // rays that were given up
-  uint padding;
+  uint source;      // RAYS_...
 };
 
 // Result of one ray (16 bytes). t in meters along the unit direction; triangle is NO_TRIANGLE unless it hit.

@@ -13,6 +13,7 @@
 #error "a public header of the renderer's users includes the shaders' structs"
 #endif
 
+#include <halfsilver/ray_reader.h>
 #include <halfsilver/tracer.h>
 
 // A tracer that finds nothing can be written with the public headers alone.

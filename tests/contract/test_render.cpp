@@ -282,6 +282,25 @@ TEST(Render, TimeBudgetDropsEverythingIfItCannotBeMetAndNothingIfItIsLarge) {
   EXPECT_TRUE(readText(folder / "b.png") == readText(folder / "c.png"));
 }
 
+// A device may take no more than 128 MiB per storage block, which is 16 bytes for each of these pixels.
+class LargePicture : public testing::TestWithParam<const char*> {};
+
+TEST_P(LargePicture, Draws) {
+  if (GetParam() == std::string("reference") && !HALFSILVER_EXACT) GTEST_SKIP() << "built without Embree";
+  const TemporaryFolder folder;
+  expectDone(runProgramIn(folder, std::string("render builtin:sphere --size 3840x2160 -o a.png --preset ") +
+                                      GetParam() +
+                                      " --set select.fraction=0.02 --set shadow.resolution=64 "
+                                      "--set shadow.sky_directions=0 --set abuffer.resolution=64"));
+  const Image image = readImage(folder / "a.png").image;
+  EXPECT_EQ(image.width, 3840);
+  EXPECT_EQ(image.height, 2160);
+  EXPECT_GT(distinctColors(image), 1000u);
+}
+
+INSTANTIATE_TEST_SUITE_P(Presets, LargePicture, testing::Values("halfsilver", "reference", "kastrati2017"),
+                         [](const auto& preset) { return std::string(preset.param); });
+
 TEST(Render, ReplacesAnOldPicture) {
   const TemporaryFolder folder;
   writeWall(folder);

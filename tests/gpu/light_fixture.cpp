@@ -76,7 +76,7 @@ void LightTest::draw(const Scene& scene, const Camera& camera, int width, int he
   shadePass.run(view(), gbuffer);
 }
 
-FrameView LightTest::view() { return {gpu, shadows, constants, frame, profiler}; }
+FrameView LightTest::view() { return {gpu, shadows, constants, frame, profiler, gbuffer}; }
 
 glm::vec4 LightTest::shadeAt(const Scene& scene, const glm::vec3& eye, const glm::vec3& target) {
   Camera camera;

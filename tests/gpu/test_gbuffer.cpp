@@ -48,7 +48,7 @@ class GBufferTest : public testing::ContextTest {
     gl::Profiler profiler(api);
     const ShadowMaps unshadowed;
     GBuffer buffer;
-    pass.run({gpu, unshadowed, constants, picture.frame, profiler}, buffer);
+    pass.run({gpu, unshadowed, constants, picture.frame, profiler, buffer}, buffer);
     EXPECT_EQ(buffer.bytes(), static_cast<std::size_t>(width * height) * (4 + 4 + 4 * 16 + 3 * 8));
     picture.visibility = readNumbers(buffer.visibility);
     picture.position = readFloats(buffer.position, GL_RGBA, 4);

@@ -41,6 +41,14 @@ std::vector<Method> MethodTest::methods(const Scene& scene) const {
 
 namespace {
 
+// A device whose storage blocks hold little: a picture of 256 x 192 pixels is to it what one of 4K is to others.
+constexpr GLint64 kSmallBlock = 1 << 20;
+PFNGLGETINTEGER64VPROC getInteger64v = nullptr;
+void APIENTRY smallBlocks(GLenum name, GLint64* value) {
+  getInteger64v(name, value);
+  if (name == GL_MAX_SHADER_STORAGE_BLOCK_SIZE) *value = kSmallBlock;
+}
+
 const MethodCase kMethods[] = {
     {"identity", "halfsilver", {}, 0},
     {"exact", "reference", {}, 0},
@@ -86,6 +94,30 @@ TEST_P(MethodTest, NoSelectedPixelNoRay) {
   const Frame frame = draw(scene, kAbove, settings({{"select.fraction", "0"}}), 40, 30);
   EXPECT_EQ(frame.report.selected, 0u);
   for (const float t : frame.plane("hit.T")) ASSERT_EQ(t, -2.0f);
+}
+
+TEST_P(MethodTest, BatchesForSmallStorageBlocksChangeNothing) {
+  constexpr int kWidth = 256, kHeight = 192;
+  static_assert(kWidth * kHeight * sizeof(shared::Ray) > kSmallBlock, "one batch would do");
+  const Scene scene = soup(100);
+  const Settings wanted =
+      settings({{"trace.bounces", "2"}, {"shadow.resolution", "64"}, {"shadow.sky_directions", "0"}});
+  const Frame whole = draw(scene, kAbove, wanted, kWidth, kHeight);
+  const gl::GetProcAddress proc = context.getProcAddress();
+  getInteger64v = reinterpret_cast<PFNGLGETINTEGER64VPROC>(proc("glGetInteger64v"));
+  Renderer renderer(
+      [proc](const char* name) {
+        return name == std::string("glGetInteger64v") ? reinterpret_cast<gl::Proc>(smallBlocks) : proc(name);
+      },
+      methods(scene));
+  renderer.setScene(scene);
+  const Frame batches = drawWholeWith(renderer, kAbove, wanted, kWidth, kHeight);
+  EXPECT_GT(whole.report.selected, 10000u);
+  EXPECT_EQ(whole.layers.data, batches.layers.data);
+  EXPECT_EQ(whole.report.selected, batches.report.selected);
+  EXPECT_EQ(whole.report.reflecting, batches.report.reflecting);
+  EXPECT_EQ(whole.report.contributions, batches.report.contributions);
+  EXPECT_EQ(whole.report.overflow, batches.report.overflow);
 }
 
 TEST_P(MethodTest, FragmentsEqualCompute) {

@@ -52,7 +52,7 @@ class RayDistances : public ContextTest, public ::testing::WithParamInterface<Di
     for (int i = 0; i < 4; ++i) tracer_->update(view(), SceneChange::everything());
   }
 
-  FrameView view() { return {gpu_, unshadowed_, constants_, frame_, profiler_}; }
+  FrameView view() { return {gpu_, unshadowed_, constants_, frame_, profiler_, gbuffer_}; }
 
   // From anywhere in the scene to anywhere; some start on a triangle.
   std::vector<Ray> randomRays(std::size_t count) {
@@ -99,6 +99,7 @@ class RayDistances : public ContextTest, public ::testing::WithParamInterface<Di
   shared::FrameConstants frame_{};
   gl::Buffer constants_;
   gl::Profiler profiler_{api};
+  const GBuffer gbuffer_;  // no ray starts there
   std::unique_ptr<Tracer> tracer_;
 };
 

@@ -3,6 +3,7 @@
 #include <glm/gtc/constants.hpp>
 #include <random>
 
+#include <halfsilver/ray_reader.h>
 #include "gpu/light_fixture.h"
 #include "gpu/ray_queues.h"
 
@@ -227,6 +228,39 @@ TEST_F(ReflectionShade, StoredSurfacesReplaceTheTrianglesOwn) {
   const vec3 fresnel = metal + (1.0f - metal) * std::pow(1 - std::sqrt(0.5f), 5.0f);
   EXPECT_LT(glm::distance(path.throughput, 0.5f * fresnel), 1e-4f);
   EXPECT_EQ(sent.excluded, 1u);
+}
+
+// First rays are pixels of the G-buffer: their light is that of the same rays, stored.
+TEST_F(ReflectionShade, PixelsAreShadedAsTheRaysThatStartThere) {
+  setUp(glowing(mirror(0.5f), {0.9f, 0.3f, 0.1f}), 31, 17);
+  RayQueue pixelQueue;
+  reflectionEffect.spawn(view(), 0, 1, pixelQueue, effectFrame_);
+  const std::uint32_t count = pixelQueue.count.read<shared::RayCount>(1)[0].count;
+  ASSERT_GT(count, 100u);
+  RayReader reader(api);
+  reader.submit(view(), pixelQueue, count);
+  const std::span<const shared::Ray> rays = reader.rays(view(), pixelQueue);
+  const std::vector<std::uint32_t> numbers = pixelQueue.rays.read<std::uint32_t>(count);
+  std::vector<shared::RayPath> paths;
+  std::vector<shared::Hit> found;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    paths.push_back({vec3(1), glm::distance(rays[i].origin, frame.eye), numbers[i], i, RAY_REFLECTION, 0});
+    found.push_back(i % 3 == 0 ? kMiss : i % 7 == 0 ? kOverflow : shared::Hit{0.5f, 0, 0.3f, 0.3f});
+  }
+  const RayQueue stored = makeQueue(api, {rays.begin(), rays.end()}, paths);
+  std::vector<vec4> pictures[2];
+  for (int kind = 0; kind < 2; ++kind) {
+    const vec4 nothing(0);
+    api.ClearTexImage(gbuffer.reflection.name(), 0, GL_RGBA, GL_FLOAT, &nothing);
+    RayQueue next = makeQueue(api, count);
+    shade(kind == 0 ? pixelQueue : stored, found, &next);
+    EXPECT_GT(next.count.read<shared::RayCount>(1)[0].count, count / 3);
+    EXPECT_EQ(next.count.read<shared::RayCount>(1)[0].source, RAYS_STORED);
+    pictures[kind] = pixels(gbuffer.reflection);
+  }
+  EXPECT_EQ(pictures[0], pictures[1]);
+  EXPECT_GT(std::count_if(pictures[0].begin(), pictures[0].end(), [](const vec4& p) { return p.w == 1 && p.x > 0; }),
+            count / 2);
 }
 
 // Two unlike rays per pixel of one dispatch, in any order of the queue: one that hits and one that misses, some given

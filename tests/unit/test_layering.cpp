@@ -57,6 +57,7 @@ const std::map<std::string, std::string> kPublicHeaders = {
     {"methods.h", "settings"},
     {"model.h", "scene"},
     {"products.h", "frame"},
+    {"ray_reader.h", "frame"},
     {"renderer.h", "renderer"},
     {"scene.h", "scene"},
     {"scene_change.h", "scene"},

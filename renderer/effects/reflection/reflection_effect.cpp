@@ -1,5 +1,6 @@
 #include "effects/reflection/reflection_effect.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -12,11 +13,29 @@ namespace {
 
 constexpr int kTile = 8;
 
-void reserveQueue(const gl::Api& api, std::uint32_t rays, RayQueue& queue) {
+// Rows of the screen in a batch but the last: whole tiles.
+int batchRows(const GBuffer& gbuffer, int batches) {
+  const int tiles = (gbuffer.height + kTile - 1) / kTile;
+  return (tiles + batches - 1) / batches * kTile;
+}
+
+std::uint32_t batchPixels(const GBuffer& gbuffer, int batches) {
+  return static_cast<std::uint32_t>(gbuffer.width) *
+         static_cast<std::uint32_t>(std::min(batchRows(gbuffer, batches), gbuffer.height));
+}
+
+enum class Storage { pixels, rays };
+
+void reserveQueue(const gl::Api& api, std::uint32_t rays, Storage storage, RayQueue& queue) {
   if (queue.capacity >= rays) return;
   queue = RayQueue{};  // the old memory goes before the new comes
-  queue.rays = gl::Buffer(api, rays * sizeof(shared::Ray), "rays");
-  queue.paths = gl::Buffer(api, rays * sizeof(shared::RayPath), "ray paths");
+  if (storage == Storage::rays) {
+    queue.rays = gl::Buffer(api, rays * sizeof(shared::Ray), "rays");
+    queue.paths = gl::Buffer(api, rays * sizeof(shared::RayPath), "ray paths");
+  } else {
+    constexpr std::uint32_t kPixelsPerRow = 4;  // shaders read rows of 16 bytes
+    queue.rays = gl::Buffer(api, (rays + kPixelsPerRow - 1) / kPixelsPerRow * sizeof(glm::uvec4), "pixels with rays");
+  }
   queue.count = gl::Buffer(api, sizeof(shared::RayCount), "ray count");
   queue.count.fill(0);
   queue.capacity = rays;
@@ -39,31 +58,42 @@ ReflectionEffect::ReflectionEffect(const gl::Api& api)
       count_(gl::Program::compute(api, "effects/ray_count.comp")),
       resolve_(gl::Program::compute(api, "effects/reflection/resolve.comp")) {}
 
-const gl::Program& ReflectionEffect::shading(bool first, bool surfaces, bool next) {
-  gl::Program& program = shade_[first][surfaces][next];
+const gl::Program& ReflectionEffect::shading(bool first, bool ofPixels, bool surfaces, bool next) {
+  gl::Program& program = shade_[first][ofPixels][surfaces][next];
   if (program) return program;
   std::vector<gl::Define> defines;
   if (first) defines.push_back({"FIRST_GENERATION"});
+  if (ofPixels) defines.push_back({"PIXEL_QUEUE"});
   if (surfaces) defines.push_back({"HIT_SURFACES"});
   if (next) defines.push_back({"NEXT_BOUNCE"});
   program = gl::Program::compute(*api_, "effects/reflection/shade.comp", defines);
   return program;
 }
 
-void ReflectionEffect::spawn(const FrameView& view, const GBuffer& gbuffer, int, RayQueue& out, EffectFrame& frame) {
-  const auto pixels = static_cast<std::uint32_t>(gbuffer.width) * static_cast<std::uint32_t>(gbuffer.height);
-  reserveQueue(*api_, pixels, out);
+int ReflectionEffect::batches(const GBuffer& gbuffer, std::uint32_t maxRays) const {
+  int batches = 1;
+  while (batchPixels(gbuffer, batches) > maxRays && batchRows(gbuffer, batches) > kTile) ++batches;
+  return batches;
+}
+
+void ReflectionEffect::spawn(const FrameView& view, int batch, int batches, RayQueue& out, EffectFrame& frame) {
+  const GBuffer& gbuffer = view.gbuffer;
+  const std::uint32_t pixels = batchPixels(gbuffer, batches);
+  const int firstRow = batch * batchRows(gbuffer, batches);
+  const int rows = std::clamp(gbuffer.height - firstRow, 0, batchRows(gbuffer, batches));
+  reserveQueue(*api_, pixels, Storage::pixels, out);
   reserveFrame(*api_, pixels, frame);
   const auto section = view.profiler.section("select");
   // The last frame's shaders wrote the counters; the fill overwrites them.
   api_->MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   out.count.fill(0);
-  frame.contributions.counts.fill(0);
+  out.count.fill(RAYS_OF_PIXELS, offsetof(shared::RayCount, source), sizeof(shared::RayCount::source));
+  if (batch == 0) frame.contributions.counts.fill(0);
 
   spawn_.use();
+  spawn_.set("firstRow", firstRow);
   view.constants.bindUniform(UBO_FRAME);
   out.rays.bindStorage(SSBO_RAYS);
-  out.paths.bindStorage(SSBO_PATHS);
   out.count.bindStorage(SSBO_RAY_COUNT);
   frame.contributions.counts.bindStorage(SSBO_CONTRIBUTIONS);
   gbuffer.shaded.bind(UNIT_SHADED);
@@ -71,9 +101,8 @@ void ReflectionEffect::spawn(const FrameView& view, const GBuffer& gbuffer, int,
   gbuffer.position.bind(UNIT_POSITION);
   gbuffer.normal.bind(UNIT_NORMAL);
   gbuffer.material.bind(UNIT_MATERIAL);
-  gbuffer.visibility.bind(UNIT_VISIBILITY);
   api_->DispatchCompute(static_cast<GLuint>((gbuffer.width + kTile - 1) / kTile),
-                        static_cast<GLuint>((gbuffer.height + kTile - 1) / kTile), 1);
+                        static_cast<GLuint>((rows + kTile - 1) / kTile), 1);
   countRays(out);
 }
 
@@ -92,17 +121,15 @@ void ReflectionEffect::shade(const FrameView& view, const RayQueue& rays, const 
                              RayQueue* next, EffectFrame& frame) {
   const auto section = view.profiler.section("shade");
   if (next) {
-    reserveQueue(*api_, rays.capacity, *next);                     // a hit sends on at most one ray
+    reserveQueue(*api_, rays.capacity, Storage::rays, *next);      // a hit sends on at most one ray
     next->count.fill(0, 0, offsetof(shared::RayCount, overflow));  // which counts for the whole frame
   }
 
-  shading(generation == 0, static_cast<bool>(hits.surfaces), next != nullptr).use();
-  view.constants.bindUniform(UBO_FRAME);
+  shading(generation == 0, rays.ofPixels(), static_cast<bool>(hits.surfaces), next != nullptr).use();
   view.scene.bindSurfaces();
   view.shadows.bind();
-  rays.rays.bindStorage(SSBO_RAYS);
-  rays.paths.bindStorage(SSBO_PATHS);
-  rays.count.bindStorage(SSBO_RAY_COUNT);
+  view.bindRays(rays);
+  if (!rays.ofPixels()) rays.paths.bindStorage(SSBO_PATHS);
   hits.hits.bindStorage(SSBO_HITS);
   if (hits.surfaces) hits.surfaces.bindStorage(SSBO_HIT_SURFACES);
   frame.slots.bindStorage(SSBO_SLOTS);

@@ -17,8 +17,10 @@ class ReflectionEffect final : public RayEffect {
   explicit ReflectionEffect(const gl::Api& api);
 
   int generations(const Settings& settings) const override { return settings.trace.bounces; }
+  // A batch is a band of the screen.
+  int batches(const GBuffer& gbuffer, std::uint32_t maxRays) const override;
   // Section "select".
-  void spawn(const FrameView& view, const GBuffer& gbuffer, int batch, RayQueue& out, EffectFrame& frame) override;
+  void spawn(const FrameView& view, int batch, int batches, RayQueue& out, EffectFrame& frame) override;
   // Section "shade". A ray that was given up leaves its pixel to the blend's fallback, or ends its path if it is not
   // the first of it.
   void shade(const FrameView& view, const RayQueue& rays, const Hits& hits, int generation, RayQueue* next,
@@ -32,12 +34,13 @@ class ReflectionEffect final : public RayEffect {
                std::uint32_t slotsPerPixel);
 
  private:
-  const gl::Program& shading(bool first, bool surfaces, bool next);
+  const gl::Program& shading(bool first, bool ofPixels, bool surfaces, bool next);
   void countRays(const RayQueue& queue) const;
 
   const gl::Api* api_;
   gl::Program spawn_, count_, resolve_;
-  gl::Program shade_[2][2][2];  // made on first use: [first generation][with HitSurface][with a next one]
+  // Made on first use: [first generation][queue of pixels][with HitSurface][with a next one].
+  gl::Program shade_[2][2][2][2];
 };
 
 }  // namespace halfsilver

@@ -12,6 +12,11 @@ struct FrameView {
   const gl::Buffer& constants;          // FrameConstants, for UBO_FRAME
   const shared::FrameConstants& frame;  // the same on the host
   gl::Profiler& profiler;
+  const GBuffer& gbuffer;  // of this frame, from the G-buffer pass on
+
+  // What queuedRay() of shaders/lib/queued_ray.glsl reads of a queue: SSBO_RAYS, SSBO_RAY_COUNT, the frame's constants
+  // and the G-buffer.
+  void bindRays(const RayQueue& queue) const;
 };
 
 }  // namespace halfsilver

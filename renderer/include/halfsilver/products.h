@@ -64,12 +64,14 @@ struct GBuffer {
   std::size_t bytes() const;
 };
 
-// Rays to trace, compacted, with a count that stays on the GPU.
+// Rays to trace, compacted, with a count that stays on the GPU. First rays are a pixel each, the rest of them stands in
+// the G-buffer; shaders see no difference (lib/queued_ray.glsl).
 struct RayQueue {
-  gl::Buffer rays;   // Ray[capacity]: what a tracer reads
-  gl::Buffer paths;  // RayPath[capacity], at the same index: what the effect knows of the ray
-  gl::Buffer count;  // RayCount
+  gl::Buffer rays;   // Ray[capacity], or uint[capacity] of pixels: what a tracer reads
+  gl::Buffer paths;  // RayPath[capacity], at the same index: what the effect knows of the ray; empty for pixels
+  gl::Buffer count;  // RayCount, whose `source` says which
   std::uint32_t capacity = 0;
+  bool ofPixels() const { return !paths; }
   std::size_t bytes() const { return rays.bytes() + paths.bytes() + count.bytes(); }
 };
 
@@ -80,7 +82,7 @@ struct Contributions {
 
 // What an effect keeps for one frame.
 struct EffectFrame {
-  // Radiance[capacity of the first queue]: a ray names its slot, and no two rays of a dispatch share one, so sums
+  // Radiance[capacity of a batch]: a ray names its slot, and no two rays of a dispatch share one, so sums
   // depend on no order.
   gl::Buffer slots;
   Contributions contributions;
@@ -92,6 +94,13 @@ struct Hits {
   gl::Buffer hits;      // Hit[capacity]
   gl::Buffer surfaces;  // HitSurface[capacity], empty unless the method stores attributes
   std::size_t bytes() const { return hits.bytes() + surfaces.bytes(); }
+};
+
+// First rays of a frame with their hits: all of them, or a part if they come in several batches.
+struct RayBatch {
+  RayQueue rays;
+  Hits hits;
+  std::size_t bytes() const { return rays.bytes() + hits.bytes(); }
 };
 
 }  // namespace halfsilver

@@ -86,6 +86,7 @@ HALFSILVER_AT(RayCount, count, 12);
 HALFSILVER_AT(RayCount, reflecting, 16);
 HALFSILVER_AT(RayCount, unfinished, 20);
 HALFSILVER_AT(RayCount, overflow, 24);
+HALFSILVER_AT(RayCount, source, 28);
 static_assert(sizeof(RayCount) == 32);
 
 HALFSILVER_AT(Hit, t, 0);

@@ -2,6 +2,7 @@
 // the next bounce.
 #include "lib/evaluate_surface.glsl"
 #include "lib/lights.glsl"
+#include "lib/queued_ray.glsl"
 #include "lib/scene.glsl"
 #include "lib/sky.glsl"
 #include "shared/passes/shade_hits.h"
@@ -9,8 +10,9 @@
 
 layout(local_size_x = 64) in;
 
-layout(std430, binding = SSBO_RAYS) readonly buffer RayBlock { Ray rays[]; };
+#ifndef PIXEL_QUEUE
 layout(std430, binding = SSBO_PATHS) readonly buffer PathBlock { RayPath paths[]; };
+#endif
 layout(std430, binding = SSBO_RAY_COUNT) readonly buffer RayCountBlock { RayCount rayCount; };
 layout(std430, binding = SSBO_HITS) readonly buffer HitBlock { Hit hits[]; };
 #ifdef HIT_SURFACES
@@ -59,12 +61,22 @@ Surface storedSurface(uint index, Ray ray, Hit hit) {
 }
 #endif
 
+#ifdef PIXEL_QUEUE
+const uint raySource = RAYS_OF_PIXELS;
+RayPath loadPath(uint index, Ray ray) {
+  return RayPath(vec3(1.0), length(ray.origin - frame.eye), pixelOfRay(index), index, RAY_REFLECTION, 0u);
+}
+#else
+const uint raySource = RAYS_STORED;
+RayPath loadPath(uint index, Ray ray) { return paths[index]; }
+#endif
+
 void main() {
   uint index = (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * gl_WorkGroupSize.x + gl_LocalInvocationID.x;
   if (index >= rayCount.count) return;
-  Ray ray = rays[index];
+  Ray ray = queuedRay(index, raySource);
+  RayPath path = loadPath(index, ray);
   Hit hit = hits[index];
-  RayPath path = paths[index];
   vec3 direction = ray.direction;
 #ifdef FIRST_GENERATION
   // A pixel whose ray was given up falls back to the sky in the blend; a longer path ends in the sky.

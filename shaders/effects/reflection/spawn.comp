@@ -1,4 +1,4 @@
-// Pixels whose reflection is traced, compacted into a queue of rays.
+// Pixels whose reflection is traced, compacted into a queue. A batch is a band of the screen.
 #include "lib/blend.glsl"
 #include "lib/display.glsl"
 #include "shared/passes/spawn.h"
@@ -6,10 +6,11 @@
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(std430, binding = SSBO_RAYS) writeonly buffer RayBlock { Ray rays[]; };
-layout(std430, binding = SSBO_PATHS) writeonly buffer PathBlock { RayPath paths[]; };
+layout(std430, binding = SSBO_RAYS) writeonly buffer RayBlock { uint queuedPixels[]; };
 layout(std430, binding = SSBO_RAY_COUNT) buffer RayCountBlock { RayCount rayCount; };
 layout(std430, binding = SSBO_CONTRIBUTIONS) buffer ContributionBlock { uint contributions[CONTRIBUTION_CLASSES]; };
+
+uniform int firstRow;  // of the band
 
 shared uint selectedMask[2];
 shared uint keptMask[2];
@@ -55,7 +56,7 @@ uint contributionClass(float contribution) {
 }
 
 void main() {
-  ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+  ivec2 pixel = ivec2(gl_GlobalInvocationID.xy) + ivec2(0, firstRow);
   uint lane = gl_LocalInvocationIndex;
   if (lane < 2u) {
     selectedMask[lane] = 0u;
@@ -94,11 +95,5 @@ void main() {
   if (!kept) return;
 
   uint index = firstRay + (word == 0u ? 0u : bitCount(keptMask[0])) + bitCount(keptMask[word] & (bit - 1u));
-  // From the stored position, so that the ray is the mirror image of the line from the eye to its origin.
-  vec3 fromEye = position.xyz - frame.eye;
-  vec3 direction = normalize(reflect(normalize(fromEye), normal.xyz));
-  uint triangle = texelFetch(gVisibility, pixel, 0).x - 1u;
-  uint number = uint(pixel.y) * frame.width + uint(pixel.x);
-  rays[index] = Ray(position.xyz, FAR_AWAY, direction, triangle);
-  paths[index] = RayPath(vec3(1.0), length(fromEye), number, index, RAY_REFLECTION, 0u);
+  queuedPixels[index] = uint(pixel.y) * frame.width + uint(pixel.x);
 }

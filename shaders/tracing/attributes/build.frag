@@ -3,7 +3,6 @@
 #define ENTRY_ACCESS writeonly
 #include "lib/alpha.glsl"
 #include "lib/scene.glsl"
-#include "lib/when.glsl"
 #include "shared/tracing.h"
 #include "tracing/attributes/entry.glsl"
 #include "tracing/attributes/reserve_entry.glsl"
@@ -31,11 +30,11 @@ void main() {
   float depth = inBarycentricsDepth.z;
   ivec2 texel = ivec2(gl_FragCoord.xy);
   bool covered = true;
-  when ((materials[triangleAt(inTriangle).w].flags & MATERIAL_CUT) != 0u) covered = !cutAway(inTriangle, barycentrics);
+  if ((materials[triangleAt(inTriangle).w].flags & MATERIAL_CUT) != 0u) covered = !cutAway(inTriangle, barycentrics);
   if (covered) countAt(COUNTER_FRAGMENTS, texel);
-  when (covered && (storeAll == 1 || wanted(texel, depth))) {
+  if (covered && (storeAll == 1 || wanted(texel, depth))) {
     uint entry = reserveEntry(headIndex(inAxis, texel));
-    when (entry != noEntry) {
+    if (entry != noEntry) {
       StoredSurface surface = evaluateStoredSurface(inTriangle, barycentrics, texelSize);
       imageStore(pool, int(entry) * ENTRY_TEXELS, vec4(surface.baseColor, depth));
       imageStore(pool, int(entry) * ENTRY_TEXELS + 1, packNormal(surface.normal, surface.reflectivity, inTriangle));

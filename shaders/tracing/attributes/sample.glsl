@@ -1,7 +1,6 @@
 // What a point of a ray sees of the fragments in its texel, and whether there is a surface between two points.
 #include "lib/scene.glsl"
 #include "lib/triangles.glsl"
-#include "lib/when.glsl"
 #include "tracing/attributes/entry.glsl"
 #include "tracing/attributes/page_cursor.glsl"
 #include "tracing/common/grid.glsl"
@@ -51,7 +50,7 @@ Sample sampleAt(TraceRay ray, Slab slab, float t, ivec2 texel, inout int work) {
   bool going = it.entry != noCursor;
   while (going) {
     float depth = imageLoad(pool, int(it.entry) * ENTRY_TEXELS).w;
-    when (depth >= slab.depths.x && depth <= slab.depths.y) {
+    if (depth >= slab.depths.x && depth <= slab.depths.y) {
       vec4 stored = imageLoad(pool, int(it.entry) * ENTRY_TEXELS + 1);
       vec3 normal = unpackNormalReflectivity(stored).xyz;
       float away = abs(depth - s.depth), known = abs(s.nearestDepth - s.depth);

@@ -1,7 +1,6 @@
 // Search in a voxel for the methods that store attributes (Hu et al. 2014, section 3.2): linear search for the first
 // point of the ray that lies inside an object, by the depths of the fragments in each point's texel, then binary search
 // back to where the ray went in. LINEAR_STEPS > 0 takes that many equal steps; 0 visits every texel (full 2D-DDA).
-#include "lib/when.glsl"
 #include "shared/passes/trace.h"
 #include "shared/rays.h"
 #include "shared/structs.h"
@@ -58,7 +57,7 @@ void searchBuffer(TraceRay ray, int axis, float begin, float end, inout Hit best
   for (int i = 1; i <= LINEAR_STEPS; ++i) {
     float t = begin + (end - begin) * float(i) / float(LINEAR_STEPS);
     Sample next = sampleAt(ray, slab, t, texelAt(ray, axis, t), work);
-    when (crossed(ray, slab.axis, last, next)) refine(ray, slab, last, next, best, work);
+    if (crossed(ray, slab.axis, last, next)) refine(ray, slab, last, next, best, work);
     if (best.t < known) break;
     last = next;
   }
@@ -71,7 +70,7 @@ void searchBuffer(TraceRay ray, int axis, float begin, float end, inout Hit best
     // The middle of the texel's stretch; in the last texel its end, so that the whole stretch is looked at.
     float t = exit < end ? 0.5 * (enter + exit) : end;
     Sample next = sampleAt(ray, slab, max(t, last.t), walk.texel, work);
-    when (crossed(ray, slab.axis, last, next)) refine(ray, slab, last, next, best, work);
+    if (crossed(ray, slab.axis, last, next)) refine(ray, slab, last, next, best, work);
     last = next;
     enter = exit;
     going = !cut && best.t >= known && exit < end && stepTexelWalk(walk);

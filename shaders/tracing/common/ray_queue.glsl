@@ -1,6 +1,7 @@
 // The queue of a trace: its rays and their hits. A dispatch goes over all rays, or over those that the last one left
 // waiting, which are listed: a driver may end loops early, and a structure that is built on demand may lack something.
 #include "lib/frame.glsl"
+#include "lib/queued_ray.glsl"
 #include "shared/bindings.h"
 #include "shared/passes/trace.h"
 #include "shared/rays.h"
@@ -10,7 +11,6 @@
 #include "tracing/common/trace_state.glsl"
 #include "tracing/common/walk.glsl"
 
-layout(std430, binding = SSBO_RAYS) readonly buffer RayBlock { Ray rays[]; };
 layout(std430, binding = SSBO_RAY_COUNT) coherent buffer RayCountBlock { RayCount rayCount; };
 layout(std430, binding = SSBO_HITS) buffer HitBlock { Hit hits[]; };
 layout(std430, binding = SSBO_PAUSED) buffer PausedBlock { PausedRay paused[]; };
@@ -25,7 +25,7 @@ uint raysToTrace() { return resume.count; }
 uint rayToTrace(uint number) { return resuming == 1 ? waiting[resume.readFrom + number] : number; }
 
 TraceRay loadRay(uint index) {
-  Ray queued = rays[index];
+  Ray queued = queuedRay(index, rayCount.source);
   TraceRay ray;
   ray.origin = queued.origin;
   ray.direction = queued.direction;

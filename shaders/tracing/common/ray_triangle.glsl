@@ -46,11 +46,37 @@ EdgeTest testEdges(RayShear shear, vec3 origin, vec3 a, vec3 b, vec3 c) {
 
 bool onEdge(EdgeTest test) { return any(equal(test.edges, vec3(0.0))); }
 
-// Decides in double what lies on an edge within float, as both triangles of the edge will.
+// The upper 12 of a float's 24 bits. Products of halves are exact.
+float upperHalf(float value) { return uintBitsToFloat(floatBitsToUint(value) & 0xfffff000u); }
+
+// a b - product, exactly, for the rounded product (after Dekker 1971). It takes floats alone: doubles are emulated on
+// many devices, and fma() need not be fused.
+float productError(float a, float b, float product) {
+  precise float a1 = upperHalf(a), b1 = upperHalf(b), a0 = a - a1, b0 = b - b1;
+  precise float error = a1 * b1 - product;
+  error = error + a1 * b0;
+  error = error + a0 * b1;
+  error = error + a0 * b0;
+  return error;
+}
+
+// a b - c d from the exact products: its sign is always right, and all but its last bit.
+float exactDifference(float a, float b, float c, float d) {
+  precise float p = a * b, q = c * d;
+  precise float difference = p - q;
+  precise float back = difference - p;
+  precise float lost = (p - (difference - back)) - (q + back);
+  precise float errors = productError(a, b, p) - productError(c, d, q);
+  precise float rest = lost + errors;
+  precise float sum = difference + rest;
+  return sum;
+}
+
+// Decides what lies on an edge within float from the exact products, as both triangles of the edge will.
 void decideEdges(inout EdgeTest test) {
-  test.edges.x = float(double(test.c.x) * double(test.b.y) - double(test.c.y) * double(test.b.x));
-  test.edges.y = float(double(test.a.x) * double(test.c.y) - double(test.a.y) * double(test.c.x));
-  test.edges.z = float(double(test.b.x) * double(test.a.y) - double(test.b.y) * double(test.a.x));
+  test.edges = vec3(exactDifference(test.c.x, test.b.y, test.c.y, test.b.x),
+                    exactDifference(test.a.x, test.c.y, test.a.y, test.c.x),
+                    exactDifference(test.b.x, test.a.y, test.b.y, test.a.x));
 }
 
 bool inside(EdgeTest test) {

@@ -2,8 +2,8 @@
 // has no say. Backs of single-sided materials and holes are passed through.
 //
 // It comes in two parts. Software rasterizers run the body of every `if` under a mask, so what few candidates need
-// (doubles, materials, textures) costs all of them; a search asks mayHit() in its inner loop and testCandidate() behind
-// it.
+// (exact products, materials, textures) costs all of them; a search asks mayHit() in its inner loop and testCandidate()
+// behind it.
 #include "lib/alpha.glsl"
 #include "lib/scene.glsl"
 #include "lib/triangles.glsl"

@@ -1,0 +1,15 @@
+#include <halfsilver/frame_view.h>
+
+namespace halfsilver {
+
+void FrameView::bindRays(const RayQueue& queue) const {
+  constants.bindUniform(UBO_FRAME);
+  queue.rays.bindStorage(SSBO_RAYS);
+  queue.count.bindStorage(SSBO_RAY_COUNT);
+  if (!gbuffer.position) return;  // then no ray starts there
+  gbuffer.position.bind(UNIT_POSITION);
+  gbuffer.normal.bind(UNIT_NORMAL);
+  gbuffer.visibility.bind(UNIT_VISIBILITY);
+}
+
+}  // namespace halfsilver
