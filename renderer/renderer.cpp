@@ -227,9 +227,16 @@ void Renderer::Impl::finish(const Target& target) {
   api.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   std::vector<std::string> warnings = scene.warnings;
   warnings.insert(warnings.end(), shadowWarnings.begin(), shadowWarnings.end());
-  std::size_t peak = scene.bytes() + shadows.lights.bytes() + shadows.maps.bytes();
-  for (const Frame& each : frames) peak += each.bytes();
-  record.end(frame, tracer.get(), peak, std::move(warnings));
+  MemoryReport held;
+  held.geometry = scene.geometryBytes();
+  held.textures = scene.textureBytes();
+  held.shadowMaps = shadows.bytes();
+  held.peak = held.geometry + held.textures + held.shadowMaps;
+  for (const Frame& each : frames) {
+    held.queues += each.bytes() - each.gbuffer.bytes();
+    held.peak += each.bytes();
+  }
+  record.end(frame, tracer.get(), held, std::move(warnings));
   shown = work.frame;
   reported = work.record;
   unreported.push_back(work.record);
@@ -364,6 +371,16 @@ Image Renderer::readLayers() const {
   r.api.MemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
   if (!r.rayReader) r.rayReader.emplace(r.api);
   return assembleLayers(r.viewOf(frame, untimed), linear, frame.batches, *r.rayReader);
+}
+
+std::vector<RayWork> Renderer::readRayWork() {
+  Impl& r = *impl_;
+  if (!r.reported) throw Error(ErrorKind::usage, "readRayWork() needs a finished frame: call render() first");
+  const gl::StateGuard guard(r.api);
+  const gl::Buffer* work = r.tracer ? r.tracer->rayWork() : nullptr;
+  if (!work) return {};
+  static_assert(sizeof(RayWork) == sizeof(shared::RayWork));
+  return work->read<RayWork>(r.records[*r.reported].report().selected);
 }
 
 }  // namespace halfsilver

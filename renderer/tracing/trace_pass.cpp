@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <utility>
 
 #include "gl/draw_state.h"
 
@@ -25,15 +26,28 @@ constexpr int kSoftwareWorkLimit = 4000;
 // Dispatches after which the rest is given up; a ray does at least a voxel in each.
 constexpr int kMaxDispatches = 1024;
 
+gl::Program makeProgram(const gl::Api& api, const TraceSettings& settings, const std::string& folder,
+                        std::vector<gl::Define> defines) {
+  if (settings.countWork) defines.push_back({"COUNT_WORK"});
+  return settings.stage == TraceStage::compute
+             ? gl::Program::compute(api, folder + "/trace.comp", defines)
+             : gl::Program::raster(api, "passes/fullscreen.vert", folder + "/trace.frag", defines);
+}
+
+// For as many rays as the largest queue has.
+void reserve(const gl::Api& api, std::size_t bytes, const char* label, gl::Buffer& buffer) {
+  if (buffer.bytes() >= bytes) return;
+  buffer = gl::Buffer();  // the old memory goes before the new comes
+  buffer = gl::Buffer(api, bytes, label);
+}
+
 }  // namespace
 
-TracePass::TracePass(const gl::Api& api, TraceStage stage, const std::string& folder,
-                     std::span<const gl::Define> defines)
+TracePass::TracePass(const gl::Api& api, const TraceSettings& settings, const std::string& folder,
+                     std::vector<gl::Define> defines)
     : api_(&api),
-      stage_(stage),
-      program_(stage == TraceStage::compute
-                   ? gl::Program::compute(api, folder + "/trace.comp", defines)
-                   : gl::Program::raster(api, "passes/fullscreen.vert", folder + "/trace.frag", defines)),
+      settings_(settings),
+      program_(makeProgram(api, settings, folder, std::move(defines))),
       resume_(gl::Program::compute(api, "tracing/common/resume.comp")),
       vertexArray_(api),
       resumeWork_(api, sizeof(shared::Resume), "resumed rays"),
@@ -41,7 +55,7 @@ TracePass::TracePass(const gl::Api& api, TraceStage stage, const std::string& fo
 
 void TracePass::dispatch(const RayQueue& rays, bool resuming) const {
   program_.use();
-  if (stage_ == TraceStage::compute) {
+  if (settings_.stage == TraceStage::compute) {
     api_->BindBuffer(GL_DISPATCH_INDIRECT_BUFFER, resuming ? resumeWork_.name() : rays.count.name());
     api_->DispatchComputeIndirect(resuming ? offsetof(shared::Resume, groupsX) : 0);
   } else {
@@ -70,6 +84,7 @@ void TracePass::bind(const FrameView& view, const RayQueue& rays, const Hits& hi
   hits.hits.bindStorage(SSBO_HITS);
   if (hits.surfaces) hits.surfaces.bindStorage(SSBO_HIT_SURFACES);
   paused_.bindStorage(SSBO_PAUSED);
+  if (work_) work_.bindStorage(SSBO_RAY_WORK);
 }
 
 void TracePass::prepareResume(const RayQueue& rays) const {
@@ -85,11 +100,8 @@ int TracePass::run(const FrameView& view, const RayQueue& rays, const Hits& hits
   const bool limited = api_->software;
   const int dispatches = structure.certain && !limited ? 1 : structure.dispatches;
   const bool once = !limited && (!structure.supply || structure.certain);  // then no ray pauses
-  const std::size_t pausedBytes = (once ? 1 : rays.capacity) * sizeof(shared::PausedRay);
-  if (paused_.bytes() < pausedBytes) {
-    paused_ = gl::Buffer();
-    paused_ = gl::Buffer(*api_, pausedBytes, "paused rays");
-  }
+  reserve(*api_, (once ? 1 : rays.capacity) * sizeof(shared::PausedRay), "paused rays", paused_);
+  if (settings_.countWork) reserve(*api_, rays.capacity * sizeof(shared::RayWork), "work of rays", work_);
   resumeWork_.fill(0);
   // The queue (selection, shading) is read as arguments of the dispatch and by the trace.
   api_->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);

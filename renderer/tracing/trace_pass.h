@@ -1,8 +1,8 @@
 #pragma once
 
 #include <functional>
-#include <span>
 #include <string>
+#include <vector>
 
 #include <halfsilver/frame_view.h>
 #include <halfsilver/gl/readback.h>
@@ -16,12 +16,15 @@ namespace halfsilver {
 // dispatch, or in several if rays wait for something or the driver's loops end.
 class TracePass {
  public:
-  // `folder` below shaders/: holds trace.comp and trace.frag of the method.
-  TracePass(const gl::Api& api, TraceStage stage, const std::string& folder, std::span<const gl::Define> defines);
+  // `folder` below shaders/: holds trace.comp and trace.frag of the method. `defines` are the method's own.
+  TracePass(const gl::Api& api, const TraceSettings& settings, const std::string& folder,
+            std::vector<gl::Define> defines = {});
 
   // For the method's own uniforms.
   const gl::Program& program() const { return program_; }
-  std::uint64_t bytes() const { return paused_.bytes(); }  // of rays that pause between dispatches
+  std::uint64_t bytes() const { return paused_.bytes() + work_.bytes(); }  // that rays need beside the queue
+  // RayWork per ray of the last queue, if it is counted (trace.count_work).
+  const gl::Buffer* work() const { return work_ ? &work_ : nullptr; }
 
   // What the method adds.
   struct Structure {
@@ -50,10 +53,11 @@ class TracePass {
   void prepareResume(const RayQueue& rays) const;
 
   const gl::Api* api_;
-  TraceStage stage_;
+  TraceSettings settings_;
   gl::Program program_, resume_;
   gl::EmptyVertexArray vertexArray_;
   gl::Buffer paused_;      // PausedRay[capacity of the largest queue]
+  gl::Buffer work_;        // RayWork, likewise; empty unless it is counted
   gl::Buffer resumeWork_;  // Resume
   gl::Readback look_;
 };

@@ -21,12 +21,14 @@ void replace(const gl::Api& api, std::size_t bytes, const char* label, gl::Buffe
 }  // namespace
 
 Method BvhTracer::method() {
-  return {{.name = "bvh", .help = "hierarchy of boxes built on the CPU, exact test", .settings = {"trace.stage"}},
+  return {{.name = "bvh",
+           .help = "hierarchy of boxes built on the CPU, exact test",
+           .settings = {"trace.stage", "trace.count_work"}},
           [](const gl::Api& api, const Settings& settings) { return std::make_unique<BvhTracer>(api, settings); }};
 }
 
 BvhTracer::BvhTracer(const gl::Api& api, const Settings& settings)
-    : api_(&api), tracePass_(api, settings.trace.stage, "tracing/bvh", {}) {}
+    : api_(&api), tracePass_(api, settings.trace, "tracing/bvh") {}
 
 void BvhTracer::readScene(const GpuScene& scene) {
   triangles_ = scene.triangles.read<glm::uvec4>(scene.triangleCount);

@@ -27,6 +27,7 @@ class BvhTracer final : public Tracer {
   void forget() override { built_ = false; }
   void trace(const FrameView& view, const RayQueue& rays, Hits& hits) override;
   TracerMemory memory() const override;
+  const gl::Buffer* rayWork() const override { return tracePass_.work(); }
 
  private:
   void readScene(const GpuScene& scene);

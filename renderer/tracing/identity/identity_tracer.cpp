@@ -19,7 +19,8 @@ constexpr int kFirstDispatches = 6, kKeptDispatches = 2;
 Method IdentityTracer::method() {
   return {{.name = "identity",
            .help = "fragments that name their triangle, exact ray/triangle test",
-           .settings = {"voxels.resolution", "voxels.per_triangle", "voxels.axis", "abuffer.keep", "trace.stage"},
+           .settings = {"voxels.resolution", "voxels.per_triangle", "voxels.axis", "abuffer.keep", "trace.stage",
+                        "trace.count_work"},
            .preset = "halfsilver",
            .knobs = {{"voxels.per_triangle", {"2", "4", "8", "16", "32", "64"}}}},
           [](const gl::Api& api, const Settings& settings) { return std::make_unique<IdentityTracer>(api, settings); }};
@@ -29,7 +30,7 @@ IdentityTracer::IdentityTracer(const gl::Api& api, const Settings& settings)
     : keep_(settings.identity.keep),
       store_(api, settings),
       builder_(api),
-      tracePass_(api, settings.trace.stage, "tracing/identity", {}) {}
+      tracePass_(api, settings.trace, "tracing/identity") {}
 
 void IdentityTracer::update(const FrameView& view, const SceneChange& change) {
   store_.beginFrame();

@@ -9,6 +9,7 @@
 #include "shared/tracing.h"
 #include "tracing/common/grid.glsl"
 #include "tracing/common/ray_triangle.glsl"
+#include "tracing/common/ray_work.glsl"
 #include "tracing/common/trace_state.glsl"
 #include "tracing/common/walk.glsl"
 
@@ -40,7 +41,9 @@ void traceRay(uint index) {
   Hit best = Hit(farAway, NO_TRIANGLE, 0.0, 0.0);
   vec2 range = gridRange(ray);
   pause.t = max(range.x, pause.t);
-  if (!march(ray, min(range.y, queued.maxDistance), pause, best)) {
+  bool through = march(ray, min(range.y, queued.maxDistance), pause, best);
+  keepWork(index);
+  if (!through) {
     if (lastDispatch == 0) {
       hits[index] = Hit(HIT_NOT_TRACED, UNFINISHED_TRIANGLE, 0.0, 0.0);
       paused[index] = pause;

@@ -5,6 +5,7 @@
 // waits for the next dispatch.
 #include "shared/passes/identity.h"
 #include "shared/rays.h"
+#include "tracing/common/ray_work.glsl"
 #include "tracing/common/test_candidate.glsl"
 #include "tracing/common/trace_state.glsl"
 #include "tracing/common/walk.glsl"
@@ -73,6 +74,7 @@ bool march(TraceRay ray, float end, inout PausedRay pause, inout Hit best) {
         }
         entered = true;
         if (going) {
+          countStep();
           uint run = bricks[brickIndex(brickOf(voxel))];
           if (run == BRICK_EMPTY)
             cube = brickCube(v, voxel);
@@ -89,6 +91,7 @@ bool march(TraceRay ray, float end, inout PausedRay pause, inout Hit best) {
       }
       if (going && list.x != list.y) {
         uint triangle = runs[list.x];
+        countTest();
         if (mayHit(ray, triangle, best.t)) candidate = triangle;
         ++list.x;
       }
