@@ -28,7 +28,6 @@ class EmbreeScene {
   enum class Quality { fastTrace, fastBuild };
   // Throws Error (failed).
   void build(Quality quality);
-  bool built() const { return scene_ != nullptr; }
   std::uint64_t bytes() const { return static_cast<std::uint64_t>(std::max<std::int64_t>(0, bytes_.load())); }
 
   // Writes a hit for each ray. Neighbors that go the same way are traced together, which changes no bit of a hit: the

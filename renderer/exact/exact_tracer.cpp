@@ -26,12 +26,16 @@ class ExactTracer final : public Tracer {
       : api_(&api), scene_(scene, threads), reader_(api), pool_(threads) {}
 
   void update(const FrameView& view, const SceneChange& change) override {
-    if (scene_.built() && !change.geometry()) return;
+    const bool kept = built_ && !change.topology;
+    if (kept && !change.geometry()) return;
     const auto scope = view.profiler.hostSection("build");
+    built_ = false;  // until nothing has failed
     // What moves will move again: a hierarchy that is made faster than it traces. Refitting the old one is no faster.
-    const bool moves = scene_.built() && !change.topology;
-    scene_.build(moves ? EmbreeScene::Quality::fastBuild : EmbreeScene::Quality::fastTrace);
+    scene_.build(kept ? EmbreeScene::Quality::fastBuild : EmbreeScene::Quality::fastTrace);
+    built_ = true;
   }
+
+  void forget() override { built_ = false; }
 
   void trace(const FrameView& view, const RayQueue& rays, Hits& hits) override {
     submit(view, rays, hits);
@@ -105,6 +109,7 @@ class ExactTracer final : public Tracer {
 
   const gl::Api* api_;
   EmbreeScene scene_;
+  bool built_ = false;  // for the geometry of the last update
   RayReader reader_;  // whose program the works share
   std::vector<std::unique_ptr<Work>> works_;
   std::uint32_t likely_ = 0;  // rays in the next queue

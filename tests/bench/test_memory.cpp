@@ -116,7 +116,7 @@ TEST(BenchMemory, BadRequestsWriteNothing) {
     EXPECT_EQ(filesIn(folder), before);
   };
   expectRefused("", 2);
-  expectRefused("speed builtin:sphere -o DIR", 2);
+  expectRefused("haste builtin:sphere -o DIR", 2);
   expectRefused("memory -o DIR", 2);
   expectRefused("memory builtin:sphere", 2);
   expectRefused("memory builtin:sphere builtin:sphere -o DIR", 2);
