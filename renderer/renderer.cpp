@@ -144,6 +144,7 @@ void Renderer::Impl::submitBatch(const FrameView& view, Frame& frame, std::size_
 
 // The hits of a batch and of all generations after it, into the picture.
 void Renderer::Impl::finishBatch(const FrameView& view, Frame& frame, RayBatch& batch) {
+  effect->measure(view, batch.rays, frame.effect);
   tracer->collect(view, batch.rays, batch.hits);
   const int generations = effect->generations(frame.settings);
   for (int generation = 0; generation < generations; ++generation) {
@@ -189,16 +190,19 @@ void Renderer::Impl::begin(const Camera& camera, const Settings& wanted, int wid
 
   const FrameView view = viewOf(frame, record.profiler());
   gbufferPass.run(view, frame.gbuffer);
-  shadePass.run(view, frame.gbuffer);
   if (tracer) {
     for (RayQueue& queue : frame.queues)
       if (queue.count) queue.count.fill(0);  // overflow adds up over the generations that share a queue
     tracer->update(view, change);
     frame.batches.resize(static_cast<std::size_t>(effect->batches(frame.gbuffer, maxRays(wanted))));
-    submitBatch(view, frame, 0);
   } else {
     frame.batches.clear();  // no memory for rays that nobody traces
   }
+  // Rays are on their way while the G-buffer is shaded, unless it says which ones there are.
+  const bool early = tracer && !effect->spawnReadsShading(wanted);
+  if (early) submitBatch(view, frame, 0);
+  shadePass.run(view, frame.gbuffer);
+  if (tracer && !early) submitBatch(view, frame, 0);
   change = {};
   underWay.push_back(work);
 }
