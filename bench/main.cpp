@@ -6,12 +6,13 @@
 #include "bench/modes/mode.h"
 #include "bench/modes/pareto/pareto.h"
 #include "bench/modes/scaling/scaling.h"
+#include "bench/modes/speed/speed.h"
 #include "bench/modes/stability/stability.h"
 
 int main(int argc, char** argv) {
   using namespace halfsilver::bench;
   CLI::App program("Measures Halfsilver's methods against each other.", "halfsilver-bench");
   // In the order of the page that `all` makes.
-  addModes(program, {memoryMode(), coverageMode(), paretoMode(), stabilityMode(), scalingMode()});
+  addModes(program, {memoryMode(), speedMode(), coverageMode(), paretoMode(), stabilityMode(), scalingMode()});
   return halfsilver::runCommand(program, argc, argv);
 }

@@ -24,11 +24,12 @@ void FrameRecord::begin() {
   addBuildCounts_ = nullptr;
 }
 
-void FrameRecord::end(const Frame& frame, const Tracer* tracer, std::size_t peak, std::vector<std::string> warnings) {
+void FrameRecord::end(const Frame& frame, const Tracer* tracer, const MemoryReport& held,
+                      std::vector<std::string> warnings) {
   known_.pixels = static_cast<std::uint64_t>(frame.gbuffer.width) * static_cast<std::uint64_t>(frame.gbuffer.height);
   known_.warnings = std::move(warnings);
+  known_.memory = held;
   known_.memory.gbuffer = frame.gbuffer.bytes();
-  known_.memory.peak = peak;
   // Rays that nobody traces are no selection: the layers say so too.
   if (tracer) {
     memory_ = tracer->memory();
@@ -74,6 +75,7 @@ FrameReport FrameRecord::report() {
   std::copy(std::begin(memory_.perAxis), std::end(memory_.perAxis), std::begin(memory.fragmentsPerAxis));
   memory.bytesPerFragment = memory_.bytesPerFragment;
   memory.structureTotal = memory_.structureTotal;
+  memory.transient = memory_.transient;
   memory.peak += memory_.structureTotal + memory_.transient;
   known_.lostFragments = memory_.lostFragments;
   reported_ = true;

@@ -36,8 +36,9 @@ class FrameRecord {
   // Takes the sections of the frame; begin() forgets those of the frame before.
   gl::Profiler& profiler() { return profiler_; }
   void begin();
-  // Has the counts of the finished frame copied. `peak`: bytes of all that is not the tracer's.
-  void end(const Frame& frame, const Tracer* tracer, std::size_t peak, std::vector<std::string> warnings);
+  // Has the counts of the finished frame copied. `held`: geometry, textures, shadow maps and queues, and as the peak
+  // the bytes of all that is not the tracer's.
+  void end(const Frame& frame, const Tracer* tracer, const MemoryReport& held, std::vector<std::string> warnings);
 
   // Whether report() has all that it needs; never waits.
   bool arrived() const { return readback_.ready() && profiler_.ready(); }

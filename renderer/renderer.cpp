@@ -144,6 +144,7 @@ void Renderer::Impl::submitBatch(const FrameView& view, Frame& frame, std::size_
 
 // The hits of a batch and of all generations after it, into the picture.
 void Renderer::Impl::finishBatch(const FrameView& view, Frame& frame, RayBatch& batch) {
+  effect->measure(view, batch.rays, frame.effect);
   tracer->collect(view, batch.rays, batch.hits);
   const int generations = effect->generations(frame.settings);
   for (int generation = 0; generation < generations; ++generation) {
@@ -189,16 +190,19 @@ void Renderer::Impl::begin(const Camera& camera, const Settings& wanted, int wid
 
   const FrameView view = viewOf(frame, record.profiler());
   gbufferPass.run(view, frame.gbuffer);
-  shadePass.run(view, frame.gbuffer);
   if (tracer) {
     for (RayQueue& queue : frame.queues)
       if (queue.count) queue.count.fill(0);  // overflow adds up over the generations that share a queue
     tracer->update(view, change);
     frame.batches.resize(static_cast<std::size_t>(effect->batches(frame.gbuffer, maxRays(wanted))));
-    submitBatch(view, frame, 0);
   } else {
     frame.batches.clear();  // no memory for rays that nobody traces
   }
+  // Rays are on their way while the G-buffer is shaded, unless it says which ones there are.
+  const bool early = tracer && !effect->spawnReadsShading(wanted);
+  if (early) submitBatch(view, frame, 0);
+  shadePass.run(view, frame.gbuffer);
+  if (tracer && !early) submitBatch(view, frame, 0);
   change = {};
   underWay.push_back(work);
 }
@@ -227,9 +231,16 @@ void Renderer::Impl::finish(const Target& target) {
   api.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   std::vector<std::string> warnings = scene.warnings;
   warnings.insert(warnings.end(), shadowWarnings.begin(), shadowWarnings.end());
-  std::size_t peak = scene.bytes() + shadows.lights.bytes() + shadows.maps.bytes();
-  for (const Frame& each : frames) peak += each.bytes();
-  record.end(frame, tracer.get(), peak, std::move(warnings));
+  MemoryReport held;
+  held.geometry = scene.geometryBytes();
+  held.textures = scene.textureBytes();
+  held.shadowMaps = shadows.bytes();
+  held.peak = held.geometry + held.textures + held.shadowMaps;
+  for (const Frame& each : frames) {
+    held.queues += each.bytes() - each.gbuffer.bytes();
+    held.peak += each.bytes();
+  }
+  record.end(frame, tracer.get(), held, std::move(warnings));
   shown = work.frame;
   reported = work.record;
   unreported.push_back(work.record);
@@ -364,6 +375,16 @@ Image Renderer::readLayers() const {
   r.api.MemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
   if (!r.rayReader) r.rayReader.emplace(r.api);
   return assembleLayers(r.viewOf(frame, untimed), linear, frame.batches, *r.rayReader);
+}
+
+std::vector<RayWork> Renderer::readRayWork() {
+  Impl& r = *impl_;
+  if (!r.reported) throw Error(ErrorKind::usage, "readRayWork() needs a finished frame: call render() first");
+  const gl::StateGuard guard(r.api);
+  const gl::Buffer* work = r.tracer ? r.tracer->rayWork() : nullptr;
+  if (!work) return {};
+  static_assert(sizeof(RayWork) == sizeof(shared::RayWork));
+  return work->read<RayWork>(r.records[*r.reported].report().selected);
 }
 
 }  // namespace halfsilver

@@ -69,6 +69,7 @@ void visitAll(S& s, Visitor&& visit) {
   visit("trace.method", s.trace.method, 0, 0, "the tracer");
   visit("trace.bounces", s.trace.bounces, 1, 16, "reflections along a path");
   visit("trace.stage", s.trace.stage, 0, 0, "the shader stage that traces");
+  visit("trace.count_work", s.trace.countWork, 0, 1, "counts each ray's steps and tests, for benchmarks");
   visit("shadow.resolution", s.shadow.resolution, 16, 8192, "texels along a shadow map");
   visit("shadow.sky_directions", s.shadow.skyDirections, 0, 32, "shadowed directions that stand for the sky");
   visit("image.exposure", s.image.exposure, -20, 20, "stops");

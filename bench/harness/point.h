@@ -98,6 +98,11 @@ inline constexpr auto kFields<MemoryReport> = std::tuple{field("voxels", &Memory
                                                          field("grid", &MemoryReport::grid),
                                                          field("structure_total", &MemoryReport::structureTotal),
                                                          field("gbuffer", &MemoryReport::gbuffer),
+                                                         field("geometry", &MemoryReport::geometry),
+                                                         field("textures", &MemoryReport::textures),
+                                                         field("shadow_maps", &MemoryReport::shadowMaps),
+                                                         field("queues", &MemoryReport::queues),
+                                                         field("transient", &MemoryReport::transient),
                                                          field("peak", &MemoryReport::peak)};
 
 // What the last frame of a point reported.

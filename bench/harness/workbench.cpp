@@ -18,6 +18,7 @@ Workbench::Workbench(const Request& request)
     : size_(request.size),
       targetSize_(request.size),
       context_(makeContext(contextKind(request.context))),
+      watch_(context_.getProcAddress()),
       api_(gl::Api::load(context_.getProcAddress())),
       log_(api_),
       target_(api_, size_),
@@ -63,7 +64,7 @@ void Workbench::draw(const BenchScene& scene, RunStatistics& run, int frames) {
 void Workbench::load(const BenchScene& scene) {
   if (scene_ == &scene) return;
   forget();  // frees its memory before the new one needs memory
-  renderer_.emplace(context_.getProcAddress(), exactFactory(scene.model.scene, 0));
+  renderer_.emplace(watch_.getProcAddress(), exactFactory(scene.model.scene, 0));
   renderer_->setScene(scene.model.scene);
   scene_ = &scene;
 }
@@ -77,10 +78,17 @@ void Workbench::forget() {
 }
 
 void Workbench::drawNext(const BenchScene& scene, RunStatistics& run) {
+  watch_.take();
   renderer_->render(scene.camera, run.settings, target_.target());
+  work_ = watch_.take();
   run.report = renderer_->report();
   run.warnings = run.report.warnings;
   failOnErrors();
+}
+
+void Workbench::startOver(const BenchScene& scene) {
+  renderer_->forgetStructures();
+  renderer_->update(scene.model.scene, {.lights = true});
 }
 
 void Workbench::moveVertices(const BenchScene& scene, std::span<const VertexRange> ranges) {

@@ -13,6 +13,7 @@
 #include "apps/offscreen.h"
 #include "apps/statistics.h"
 #include "bench/harness/bench_scene.h"
+#include "bench/harness/gl_work.h"
 #include "bench/harness/request.h"
 #include "gl/debug.h"
 
@@ -37,8 +38,15 @@ class Workbench {
 
   // Draws one more frame of the current scene; its structures keep the capacity that they have.
   void drawNext(const BenchScene& scene, RunStatistics& run);
+  // What the renderer asked of GL in the frame that was drawn last, its report not counted.
+  const GlWork& lastWork() const { return work_; }
+  // The next frame builds its structure and draws its shadow maps as the first one does; programs are compiled.
+  void startOver(const BenchScene& scene);
   // Of the current scene.
   void moveVertices(const BenchScene& scene, std::span<const VertexRange> ranges);
+
+  // Of the last frame; see Renderer::readRayWork().
+  std::vector<RayWork> rayWork() { return renderer_->readRayWork(); }
 
   // Of the last frame.
   Image layers() const { return renderer_->readLayers(); }
@@ -52,6 +60,8 @@ class Workbench {
 
   Size size_, targetSize_;
   Context context_;
+  GlWatch watch_;
+  GlWork work_;
   gl::Api api_;
   gl::DebugLog log_;
   OffscreenTarget target_;

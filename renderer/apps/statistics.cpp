@@ -148,6 +148,11 @@ Json toJson(const RunStatistics& s) {
                     {"grid", memory.grid},
                     {"structure_total", memory.structureTotal},
                     {"gbuffer", memory.gbuffer},
+                    {"geometry", memory.geometry},
+                    {"textures", memory.textures},
+                    {"shadow_maps", memory.shadowMaps},
+                    {"queues", memory.queues},
+                    {"transient", memory.transient},
                     {"peak", memory.peak}};
   json["time_ms"] = Json::object();
   for (const StageSummary& stage : s.stages)
@@ -209,8 +214,10 @@ std::string toTable(const RunStatistics& s) {
   if (s.budget) table += budgetLine(*s.budget, s.report);
   table += "memory      structure " + megabytes(memory.structureTotal) + " (voxels " + megabytes(memory.voxels) +
            ", heads " + megabytes(memory.heads) + ", pool " + megabytes(memory.poolUsed) + " used of " +
-           megabytes(memory.poolReserved) + "), G-buffer " + megabytes(memory.gbuffer) + ", peak " +
-           megabytes(memory.peak) + "\n";
+           megabytes(memory.poolReserved) + "), peak " + megabytes(memory.peak) + "\n";
+  table += "of the peak G-buffer " + megabytes(memory.gbuffer) + ", geometry " + megabytes(memory.geometry) +
+           ", textures " + megabytes(memory.textures) + ", shadow maps " + megabytes(memory.shadowMaps) +
+           ", queues of rays " + megabytes(memory.queues) + "\n";
   if (memory.grid[0] > 0) table += format("voxels      %d x %d x %d\n", memory.grid[0], memory.grid[1], memory.grid[2]);
   if (memory.fragments)
     table += format("fragments   %llu generated, %llu stored (x %llu, y %llu, z %llu), %.1f bytes each\n",

@@ -10,7 +10,7 @@ namespace halfsilver {
 // An effect turns a G-buffer into rays and their hits into light: one folder under effects/ each, on any Tracer. Rays
 // of one frame come in several batches if a storage block cannot hold what belongs to all; each goes through
 //
-//   spawn(), then for each generation: Tracer::trace() and shade(), then resolve().
+//   spawn(), measure(), then for each generation: Tracer::trace() and shade(), then resolve().
 //
 // Every call binds what its shaders read and starts from no state.
 class RayEffect {
@@ -23,8 +23,15 @@ class RayEffect {
   virtual int generations(const Settings& settings) const = 0;
 
   // Fills the queue with batch number `batch` of `batches`: first rays, their count and the size of their dispatch.
-  // The G-buffer is shaded. Batch 0 begins the contributions, which all batches count. Allocates what is too small.
+  // The G-buffer is shaded if spawnReadsShading(). Batch 0 begins the contributions, which all batches count. Allocates
+  // what is too small.
   virtual void spawn(const FrameView& view, int batch, int batches, RayQueue& out, EffectFrame& frame) = 0;
+
+  // Whether rays cannot be spawned before the G-buffer is shaded.
+  virtual bool spawnReadsShading(const Settings& settings) const = 0;
+
+  // What reports want to know of the first rays of a batch and only the shaded G-buffer tells.
+  virtual void measure(const FrameView& view, const RayQueue& first, EffectFrame& frame) = 0;
 
   // Adds the light of the hits to the rays' slots, which generation 0 begins. `next` receives the rays of the next
   // generation, with their count and dispatch, and grows to hold as many as there can be; it is null in the last

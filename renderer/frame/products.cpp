@@ -2,9 +2,12 @@
 
 namespace halfsilver {
 
-std::size_t GpuScene::bytes() const {
-  std::size_t sum =
-      positions.bytes() + attributes.bytes() + triangles.bytes() + materials.bytes() + drawList.bytes() + sky.bytes();
+std::size_t GpuScene::geometryBytes() const {
+  return positions.bytes() + attributes.bytes() + triangles.bytes() + materials.bytes() + drawList.bytes();
+}
+
+std::size_t GpuScene::textureBytes() const {
+  std::size_t sum = sky.bytes();
   for (const gl::Texture& texture : textures) sum += texture.bytes();
   return sum;
 }

@@ -5,6 +5,7 @@
 #include <halfsilver/error.h>
 #include <halfsilver/tracer.h>
 #include "tracing/attributes/attribute_tracer.h"
+#include "tracing/bvh/bvh_tracer.h"
 #include "tracing/identity/identity_tracer.h"
 
 namespace halfsilver {
@@ -16,6 +17,7 @@ const std::vector<Method>& table() {
       {{.name = "none", .help = "no tracing"}, [](const gl::Api&, const Settings&) { return nullptr; }},
       AttributeTracer::method(),
       IdentityTracer::method(),
+      BvhTracer::method(),
       {{.name = "exact", .help = "exact rays on the CPU (halfsilver::exact)"}, {}},
       {{.name = "auto", .help = "exact on a software rasterizer, otherwise identity"}, {}},
   };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <utility>
 
 #include "gl/draw_state.h"
 
@@ -31,17 +32,29 @@ std::uint64_t resumeBytes(std::uint64_t rays) { return sizeof(shared::Resume) + 
 // Dispatches after which the rest is given up; a ray does at least a voxel in each.
 constexpr int kMaxDispatches = 1024;
 
+gl::Program makeProgram(const gl::Api& api, const TraceSettings& settings, const std::string& folder,
+                        std::vector<gl::Define> defines) {
+  if (settings.countWork) defines.push_back({"COUNT_WORK"});
+  return settings.stage == TraceStage::compute
+             ? gl::Program::compute(api, folder + "/trace.comp", defines)
+             : gl::Program::raster(api, "passes/fullscreen.vert", folder + "/trace.frag", defines);
+}
+
+// For as many rays as the largest queue has.
+void reserve(const gl::Api& api, std::size_t bytes, const char* label, gl::Buffer& buffer) {
+  if (buffer.bytes() >= bytes) return;
+  buffer = gl::Buffer();  // the old memory goes before the new comes
+  buffer = gl::Buffer(api, bytes, label);
+}
+
 }  // namespace
 
-TracePass::TracePass(const gl::Api& api, TraceStage stage, const std::string& folder,
-                     std::span<const gl::Define> defines, Batch batch)
+TracePass::TracePass(const gl::Api& api, const TraceSettings& settings, const std::string& folder,
+                     std::vector<gl::Define> defines, Batch batch)
     : api_(&api),
-      stage_(stage),
-      raysPerGroup_(batch.raysPerGroup),
-      softwareWorkLimit_(batch.softwareWorkLimit),
-      program_(stage == TraceStage::compute
-                   ? gl::Program::compute(api, folder + "/trace.comp", defines)
-                   : gl::Program::raster(api, "passes/fullscreen.vert", folder + "/trace.frag", defines)),
+      settings_(settings),
+      batch_(batch),
+      program_(makeProgram(api, settings, folder, std::move(defines))),
       resume_(gl::Program::compute(api, "tracing/common/resume.comp")),
       vertexArray_(api),
       look_(api) {}
@@ -53,7 +66,7 @@ void TracePass::dispatchIndirect(std::size_t arguments) const {
 
 void TracePass::dispatch(const RayQueue& rays) const {
   program_.use();
-  if (stage_ == TraceStage::compute) {
+  if (settings_.stage == TraceStage::compute) {
     dispatchIndirect(offsetof(shared::Resume, groupsX));
   } else {
     // Fragments beyond the queue's count end at once; the count itself stays on the GPU.
@@ -78,11 +91,12 @@ void TracePass::bind(const FrameView& view, const RayQueue& rays, const Hits& hi
   if (hits.surfaces) hits.surfaces.bindStorage(SSBO_HIT_SURFACES);
   paused_.bindStorage(SSBO_PAUSED);
   resumeWork_.bindStorage(SSBO_RESUME);
+  if (work_) work_.bindStorage(SSBO_RAY_WORK);
 }
 
 void TracePass::prepare(const RayQueue& rays, bool resuming) const {
   resume_.set("resuming", resuming ? 1 : 0);
-  resume_.set("raysPerGroup", static_cast<GLuint>(raysPerGroup_));
+  resume_.set("raysPerGroup", static_cast<GLuint>(kGroup * batch_.raysPerInvocation));
   rays.count.bindStorage(SSBO_RAY_COUNT);
   resumeWork_.bindStorage(SSBO_RESUME);
   resume_.use();
@@ -95,18 +109,14 @@ int TracePass::run(const FrameView& view, const RayQueue& rays, const Hits& hits
   const bool limited = api_->software;
   const int dispatches = structure.certain && !limited ? 1 : structure.dispatches;
   const bool once = !limited && (!structure.supply || structure.certain);  // then no ray pauses
-  const std::size_t pausedBytes = (once ? 1 : rays.capacity) * sizeof(shared::PausedRay);
-  if (paused_.bytes() < pausedBytes) {
-    paused_ = gl::Buffer();
-    paused_ = gl::Buffer(*api_, pausedBytes, "paused rays");
-    resumeWork_ = gl::Buffer();
-    resumeWork_ = gl::Buffer(*api_, resumeBytes(once ? 1 : rays.capacity), "resumed rays");
-  }
+  reserve(*api_, (once ? 1 : rays.capacity) * sizeof(shared::PausedRay), "paused rays", paused_);
+  reserve(*api_, resumeBytes(once ? 1 : rays.capacity), "resumed rays", resumeWork_);
+  if (settings_.countWork) reserve(*api_, rays.capacity * sizeof(shared::RayWork), "work of rays", work_);
   const shared::Resume none{};
   resumeWork_.write(0, &none, sizeof(none));
   // The queue (selection, shading) is read as arguments of the dispatch and by the trace.
   api_->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
-  program_.set("workLimit", limited ? softwareWorkLimit_ : std::numeric_limits<int>::max());
+  program_.set("workLimit", limited ? batch_.softwareWorkLimit : std::numeric_limits<int>::max());
   prepare(rays, false);
   bool more = !once;
   int untilLook = dispatches, between = dispatches;

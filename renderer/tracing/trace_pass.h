@@ -1,8 +1,8 @@
 #pragma once
 
 #include <functional>
-#include <span>
 #include <string>
+#include <vector>
 
 #include <halfsilver/frame_view.h>
 #include <halfsilver/gl/readback.h>
@@ -18,21 +18,25 @@ class TracePass {
  public:
   static constexpr int kGroup = 64;  // invocations
   struct Batch {
-    int raysPerGroup = kGroup;
+    int raysPerInvocation = 1;
     // Iterations, by the method's own count, after which it leaves the rest to the next dispatch if the driver stops
     // shaders at 65,535 of them in a vector of eight invocations.
     int softwareWorkLimit = 4000;
   };
 
-  // `folder` below shaders/: holds trace.comp and trace.frag of the method.
-  TracePass(const gl::Api& api, TraceStage stage, const std::string& folder, std::span<const gl::Define> defines,
-            Batch batch);
-  TracePass(const gl::Api& api, TraceStage stage, const std::string& folder, std::span<const gl::Define> defines)
-      : TracePass(api, stage, folder, defines, Batch()) {}
+  // `folder` below shaders/: holds trace.comp and trace.frag of the method. `defines` are the method's own.
+  TracePass(const gl::Api& api, const TraceSettings& settings, const std::string& folder,
+            std::vector<gl::Define> defines, Batch batch);
+  TracePass(const gl::Api& api, const TraceSettings& settings, const std::string& folder,
+            std::vector<gl::Define> defines = {})
+      : TracePass(api, settings, folder, std::move(defines), Batch()) {}
 
   // For the method's own uniforms.
   const gl::Program& program() const { return program_; }
-  std::uint64_t bytes() const { return paused_.bytes() + resumeWork_.bytes(); }  // of rays that pause
+  // That rays need beside the queue.
+  std::uint64_t bytes() const { return paused_.bytes() + work_.bytes() + resumeWork_.bytes(); }
+  // RayWork per ray of the last queue, if it is counted (trace.count_work).
+  const gl::Buffer* work() const { return work_ ? &work_ : nullptr; }
 
   // What the method adds.
   struct Structure {
@@ -63,12 +67,12 @@ class TracePass {
   void prepare(const RayQueue& rays, bool resuming) const;
 
   const gl::Api* api_;
-  TraceStage stage_;
-  int raysPerGroup_;
-  int softwareWorkLimit_;
+  TraceSettings settings_;
+  Batch batch_;
   gl::Program program_, resume_;
   gl::EmptyVertexArray vertexArray_;
   gl::Buffer paused_;      // PausedRay[capacity of the largest queue]
+  gl::Buffer work_;        // RayWork, likewise; empty unless it is counted
   gl::Buffer resumeWork_;  // Resume, two lists of rays
   gl::Readback look_;
 };

@@ -58,6 +58,12 @@ struct Hit {
   float v;  // of the third
 };
 
+// What a search did for a ray, if it counts (trace.count_work).
+struct RayWork {
+  uint steps;  // cells or nodes
+  uint tests;  // of triangles, or texels looked at
+};
+
 // A ray that waits for the next dispatch, at the ray's index; Hit::triangle is then UNFINISHED_TRIANGLE.
 struct PausedRay {
   float t;            // where to go on, meters

@@ -99,7 +99,7 @@ TEST_P(EveryPreset, PictureLayersAndStatisticsAgree) {
 INSTANTIATE_TEST_SUITE_P(Render, EveryPreset,
                          testing::Values(PresetCase{"deferred", false, true}, PresetCase{"kastrati2017", false, false},
                                          PresetCase{"hu2014", true, false}, PresetCase{"reference", false, false},
-                                         PresetCase{"halfsilver", false, false}),
+                                         PresetCase{"bvh", false, false}, PresetCase{"halfsilver", false, false}),
                          [](const auto& instance) { return instance.param.name; });
 
 TEST(Render, StatisticsHaveTheContractsSchema) {
@@ -119,8 +119,9 @@ TEST(Render, StatisticsHaveTheContractsSchema) {
   const double share = json["pixels"]["selected"].get<double>() / (64 * 36);
   EXPECT_DOUBLE_EQ(json["pixels"]["coverage"].get<double>(), share);
   const auto& memory = json["memory"];
-  for (const char* key : {"voxels", "heads", "pool_reserved", "pool_used", "fragments", "fragments_stored",
-                          "structure_total", "gbuffer", "peak"})
+  for (const char* key :
+       {"voxels", "heads", "pool_reserved", "pool_used", "fragments", "fragments_stored", "structure_total", "gbuffer",
+        "geometry", "textures", "shadow_maps", "queues", "transient", "peak"})
     EXPECT_TRUE(memory[key].is_number_unsigned()) << key;
   EXPECT_LE(memory["pool_used"], memory["pool_reserved"]);
   EXPECT_LE(memory["fragments_stored"], memory["fragments"]);

@@ -149,7 +149,7 @@ TEST_P(OverlappingFrames, CanBeKeptUnderWay) {
   expectSameCounts(ahead.report(), first.report);
 }
 
-INSTANTIATE_TEST_SUITE_P(AllMethods, OverlappingFrames, ::testing::Values("exact", "identity", "attributes", "none"),
+INSTANTIATE_TEST_SUITE_P(AllMethods, OverlappingFrames, ::testing::Values("exact", "identity", "bvh", "attributes", "none"),
                          [](const auto& method) { return std::string(method.param); });
 
 TEST_F(FrameInFlight, AThirdFrameIsRefusedAndTheTwoGoOn) {

@@ -158,6 +158,18 @@ TEST_F(Gl, ProfilerTimesNamedSections) {
   EXPECT_TRUE(profiler.collect().empty());
 }
 
+TEST_F(Gl, ProfilerAddsWhatOtherThreadsTook) {
+  gl::Profiler profiler(api);
+  profiler.add("rays", 3);
+  { const auto section = profiler.section("draw"); }
+  profiler.add("rays", 4);
+  EXPECT_TRUE((api.Finish(), profiler.ready()));
+  const std::vector<gl::SectionTime> times = profiler.collect();
+  ASSERT_EQ(times.size(), 2u);
+  EXPECT_EQ(times[0].name, "rays");
+  EXPECT_EQ(times[0].milliseconds, 7);
+}
+
 TEST_F(Gl, ProfilersTimeOneFrameEach) {
   std::vector<gl::Profiler> frames;
   for (int i = 0; i < 3; ++i) frames.emplace_back(api);

@@ -52,6 +52,7 @@ void APIENTRY smallBlocks(GLenum name, GLint64* value) {
 const MethodCase kMethods[] = {
     {"identity", "halfsilver", {}, 0},
     {"exact", "reference", {}, 0},
+    {"bvh", "bvh", {}, 0},
     {"kastrati2017", "kastrati2017", {{"abuffer.resolution", "256"}}, 0.113},
     {"kastrati_full",
      "kastrati2017",

@@ -171,7 +171,7 @@ TEST_P(RayDistances, HitsEndJustBeyondTheLargestDistance) {
 
 INSTANTIATE_TEST_SUITE_P(AllMethods, RayDistances,
                          ::testing::Values(DistanceCase{"exact", 0}, DistanceCase{"identity", 0},
-                                           DistanceCase{"attributes", 0.014f}),
+                                           DistanceCase{"bvh", 0}, DistanceCase{"attributes", 0.014f}),
                          [](const auto& method) { return std::string(method.param.method); });
 
 }  // namespace

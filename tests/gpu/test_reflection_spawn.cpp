@@ -72,6 +72,7 @@ class ReflectionSpawn : public testing::ContextTest {
     EffectFrame frame;
     effect.spawn(view, 0, 1, queue, frame);
     effect.spawn(view, 0, 1, queue, frame);  // a second frame starts from zero
+    effect.measure(view, queue, frame);
     EXPECT_EQ(queue.capacity, static_cast<std::uint32_t>(width * height));
     EXPECT_LE(queue.bytes(), 4u * queue.capacity + 64) << "a pixel is four bytes";
     result.count = queue.count.read<shared::RayCount>(1)[0];

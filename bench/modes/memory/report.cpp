@@ -51,7 +51,7 @@ std::string cells(const MemoryPoint& point) {
 
 Table memoryTable(MemoryPoints points) {
   Table table{{"Scene", "Method", "Voxels, texels", "Structure", "of hu2014", "of kastrati2017", "Voxel grid",
-               "List heads", "Pool used", "Pool wasted", "wasted share", "G-buffer", "Peak", "Wrong hits"},
+               "List heads", "Pool used", "Pool wasted", "wasted share", "Wrong hits"},
               {}};
   for (const MemoryPoint& point : points) {
     const MemoryReport& memory = point.memory;
@@ -62,8 +62,23 @@ Table memoryTable(MemoryPoints points) {
                           ratioPercent(total, structureOf(points, scene, "kastrati2017")),
                           megabytes(bytes(memory.voxels)), megabytes(bytes(memory.heads)),
                           megabytes(bytes(memory.poolUsed)), megabytes(waste),
-                          ratioPercent(waste, bytes(memory.poolReserved)), megabytes(bytes(memory.gbuffer)),
-                          megabytes(bytes(memory.peak)), wrongHits(point)});
+                          ratioPercent(waste, bytes(memory.poolReserved)), wrongHits(point)});
+  }
+  return table;
+}
+
+// All that the renderer holds, and what of it belongs to rays.
+Table peakTable(MemoryPoints points) {
+  Table table{{"Scene", "Method", "Peak", "Structure", "Build and waiting rays", "Queues of rays", "G-buffer",
+               "Geometry", "Textures", "Shadow maps"},
+              {}};
+  for (const MemoryPoint& point : points) {
+    const MemoryReport& memory = point.memory;
+    std::vector<std::string> row = {point.scene.file, point.preset};
+    for (const std::uint64_t part : {memory.peak, memory.structureTotal, memory.transient, memory.queues,
+                                     memory.gbuffer, memory.geometry, memory.textures, memory.shadowMaps})
+      row.push_back(megabytes(bytes(part)));
+    table.rows.push_back(std::move(row));
   }
   return table;
 }
@@ -142,11 +157,21 @@ constexpr const char* kDifferences =
     "<li><b>Identities are small.</b> The default stores 4 bytes instead of 32, in voxels of a size that fits the "
     "scene, and only in those that a ray asks for.</li>\n</ul>\n";
 
-constexpr std::tuple kMemoryColumns{&MemoryReport::voxels,           &MemoryReport::heads,
-                                    &MemoryReport::poolReserved,     &MemoryReport::poolUsed,
-                                    &MemoryReport::bytesPerFragment, &MemoryReport::fragments,
-                                    &MemoryReport::fragmentsStored,  &MemoryReport::structureTotal,
-                                    &MemoryReport::gbuffer,          &MemoryReport::peak};
+constexpr std::tuple kMemoryColumns{&MemoryReport::voxels,
+                                    &MemoryReport::heads,
+                                    &MemoryReport::poolReserved,
+                                    &MemoryReport::poolUsed,
+                                    &MemoryReport::bytesPerFragment,
+                                    &MemoryReport::fragments,
+                                    &MemoryReport::fragmentsStored,
+                                    &MemoryReport::structureTotal,
+                                    &MemoryReport::gbuffer,
+                                    &MemoryReport::geometry,
+                                    &MemoryReport::textures,
+                                    &MemoryReport::shadowMaps,
+                                    &MemoryReport::queues,
+                                    &MemoryReport::transient,
+                                    &MemoryReport::peak};
 constexpr std::tuple kErrorColumns{&ComparisonRecord::hitError, &ComparisonRecord::falseMiss,
                                    &ComparisonRecord::falseHit, &ComparisonRecord::wrongId};
 constexpr std::tuple kFrameColumns{&FrameRecord::lostFragments};
@@ -226,7 +251,12 @@ std::string memoryBody(MemoryPoints points, const std::vector<Figure>& pictures,
   body += kMethods + heading("Memory") + toHtml(memoryTable(points)) +
           paragraph(
               "Wrong hits: the share of the rays that hit although the reference misses, miss although it hits, or hit "
-              "more than 0.1 % of the scene's diagonal away from it. Peak: all GPU memory that the renderer holds.") +
+              "more than 0.1 % of the scene's diagonal away from it.") +
+          heading("Everything else") + toHtml(peakTable(points)) +
+          paragraph(
+              "Peak: all GPU memory that the renderer holds at once, which is the sum of the columns behind it. Queues "
+              "of rays: the rays, what is known of them, their hits and their light. A textured or well-lit scene "
+              "takes more than its structure many times over, whatever the method.") +
           heading("Fragments") + toHtml(fragmentTable(points)) +
           paragraph(
               "Made: the fragments of the build's rasterization. Papers' methods: along all three axes. Halfsilver: "

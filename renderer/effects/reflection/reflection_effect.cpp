@@ -1,6 +1,7 @@
 #include "effects/reflection/reflection_effect.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -55,6 +56,7 @@ void reserveFrame(const gl::Api& api, std::uint32_t rays, EffectFrame& frame) {
 ReflectionEffect::ReflectionEffect(const gl::Api& api)
     : api_(&api),
       spawn_(gl::Program::compute(api, "effects/reflection/spawn.comp")),
+      contributions_(gl::Program::compute(api, "effects/reflection/contributions.comp")),
       count_(gl::Program::compute(api, "effects/ray_count.comp")),
       resolve_(gl::Program::compute(api, "effects/reflection/resolve.comp")) {}
 
@@ -90,20 +92,41 @@ void ReflectionEffect::spawn(const FrameView& view, int batch, int batches, RayQ
   out.count.fill(RAYS_OF_PIXELS, offsetof(shared::RayCount, source), sizeof(shared::RayCount::source));
   if (batch == 0) frame.contributions.counts.fill(0);
 
-  spawn_.use();
-  spawn_.set("firstRow", firstRow);
+  const bool byContribution = view.frame.minContribution > 0;
+  if (byContribution && !spawnByContribution_)
+    spawnByContribution_ =
+        gl::Program::compute(*api_, "effects/reflection/spawn.comp", std::array{gl::Define{"BY_CONTRIBUTION"}});
+  const gl::Program& program = byContribution ? spawnByContribution_ : spawn_;
+  program.use();
+  program.set("firstRow", firstRow);
   view.constants.bindUniform(UBO_FRAME);
   out.rays.bindStorage(SSBO_RAYS);
   out.count.bindStorage(SSBO_RAY_COUNT);
-  frame.contributions.counts.bindStorage(SSBO_CONTRIBUTIONS);
-  gbuffer.shaded.bind(UNIT_SHADED);
-  view.scene.sky.bind(UNIT_SKY);
   gbuffer.position.bind(UNIT_POSITION);
   gbuffer.normal.bind(UNIT_NORMAL);
-  gbuffer.material.bind(UNIT_MATERIAL);
+  if (byContribution) bindShaded(view, frame);
   api_->DispatchCompute(static_cast<GLuint>((gbuffer.width + kTile - 1) / kTile),
                         static_cast<GLuint>((rows + kTile - 1) / kTile), 1);
   countRays(out);
+}
+
+void ReflectionEffect::bindShaded(const FrameView& view, const EffectFrame& frame) {
+  frame.contributions.counts.bindStorage(SSBO_CONTRIBUTIONS);
+  view.gbuffer.shaded.bind(UNIT_SHADED);
+  view.gbuffer.material.bind(UNIT_MATERIAL);
+  view.scene.sky.bind(UNIT_SKY);
+}
+
+void ReflectionEffect::measure(const FrameView& view, const RayQueue& first, EffectFrame& frame) {
+  if (view.frame.minContribution > 0) return;
+  const auto section = view.profiler.section("select");
+  contributions_.use();
+  view.bindRays(first);
+  bindShaded(view, frame);
+  api_->BindBuffer(GL_DISPATCH_INDIRECT_BUFFER, first.count.name());
+  api_->DispatchComputeIndirect(0);
+  // The counts are read by reports.
+  api_->MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
 }
 
 void ReflectionEffect::countRays(const RayQueue& queue) const {

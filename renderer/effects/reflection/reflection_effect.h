@@ -19,8 +19,11 @@ class ReflectionEffect final : public RayEffect {
   int generations(const Settings& settings) const override { return settings.trace.bounces; }
   // A batch is a band of the screen.
   int batches(const GBuffer& gbuffer, std::uint32_t maxRays) const override;
-  // Section "select".
+  bool spawnReadsShading(const Settings& settings) const override { return settings.select.minContribution > 0; }
+  // Section "select", as measure().
   void spawn(const FrameView& view, int batch, int batches, RayQueue& out, EffectFrame& frame) override;
+  // Contributions, unless spawn() has counted them.
+  void measure(const FrameView& view, const RayQueue& first, EffectFrame& frame) override;
   // Section "shade". A ray that was given up leaves its pixel to the blend's fallback, or ends its path if it is not
   // the first of it.
   void shade(const FrameView& view, const RayQueue& rays, const Hits& hits, int generation, RayQueue* next,
@@ -35,10 +38,11 @@ class ReflectionEffect final : public RayEffect {
 
  private:
   const gl::Program& shading(bool first, bool ofPixels, bool surfaces, bool next);
+  static void bindShaded(const FrameView& view, const EffectFrame& frame);
   void countRays(const RayQueue& queue) const;
 
   const gl::Api* api_;
-  gl::Program spawn_, count_, resolve_;
+  gl::Program spawn_, spawnByContribution_, contributions_, count_, resolve_;
   // Made on first use: [first generation][queue of pixels][with HitSurface][with a next one].
   gl::Program shade_[2][2][2][2];
 };

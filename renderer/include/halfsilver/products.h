@@ -33,7 +33,8 @@ struct GpuScene {
   SceneExtents extents;  // bounds and core
   std::vector<std::string> warnings;
 
-  std::size_t bytes() const;
+  std::size_t geometryBytes() const;
+  std::size_t textureBytes() const;
   // SSBO_POSITIONS and SSBO_TRIANGLES.
   void bindTriangles() const;
   // All of SSBO_POSITIONS to SSBO_MATERIALS and the material textures.
@@ -46,6 +47,7 @@ struct ShadowMaps {
   gl::Texture maps;   // depth array
   std::uint32_t lightCount = 0;
 
+  std::size_t bytes() const { return lights.bytes() + maps.bytes(); }
   void bind() const;  // SSBO_LIGHTS, UNIT_SHADOW_MAPS
 };
 

@@ -38,7 +38,12 @@ struct MemoryReport {  // bytes unless marked as counts
   double bytesPerFragment = 0;
   std::uint64_t structureTotal = 0;
   std::uint64_t gbuffer = 0;
-  std::uint64_t peak = 0;  // all GPU memory that the renderer held at once
+  std::uint64_t geometry = 0;  // vertices, triangles, materials
+  std::uint64_t textures = 0;  // of materials, and the sky
+  std::uint64_t shadowMaps = 0;
+  std::uint64_t queues = 0;     // rays, their hits and light, of all frames
+  std::uint64_t transient = 0;  // of the tracer, beside the structure: the most at once
+  std::uint64_t peak = 0;       // all GPU memory that the renderer held at once: the last seven, of all frames
 };
 
 struct FrameReport {
@@ -52,6 +57,12 @@ struct FrameReport {
   std::uint64_t overflow = 0;       // rays given up
   std::uint64_t lostFragments = 0;  // fragments that the structure could not hold
   std::vector<std::string> warnings;
+};
+
+// What the search did for one ray.
+struct RayWork {
+  std::uint32_t steps = 0;  // through cells of a grid or nodes of a hierarchy
+  std::uint32_t tests = 0;  // of triangles; of texels by methods that store attributes
 };
 
 struct DeviceInfo {
@@ -115,6 +126,10 @@ class Renderer {
   // selected.Y, hit.T, hit.id, hit.nx/ny/nz, reflection.R/G/B), rows from the top. Waits for the GPU. With frames under
   // way, only until a begin() takes the memory of that frame.
   Image readLayers() const;
+
+  // The work of each first ray of that frame, in the order in which they were traced. Empty unless trace.count_work was
+  // set and the method counts; of the last bounce if there are several. Waits for the GPU.
+  std::vector<RayWork> readRayWork();
 
  private:
   struct Impl;

@@ -74,6 +74,7 @@ struct TraceSettings {
   std::string method = "identity";  // a name of methods(), see methods.h
   int bounces = 1;                  // 1..16
   TraceStage stage = TraceStage::compute;
+  bool countWork = false;  // each ray's steps and tests are counted, see Renderer::readRayWork()
 
   bool operator==(const TraceSettings&) const = default;
 };

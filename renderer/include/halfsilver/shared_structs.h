@@ -89,6 +89,10 @@ HALFSILVER_AT(RayCount, overflow, 24);
 HALFSILVER_AT(RayCount, source, 28);
 static_assert(sizeof(RayCount) == 32);
 
+HALFSILVER_AT(RayWork, steps, 0);
+HALFSILVER_AT(RayWork, tests, 4);
+static_assert(sizeof(RayWork) == 8);
+
 HALFSILVER_AT(Hit, t, 0);
 HALFSILVER_AT(Hit, triangle, 4);
 HALFSILVER_AT(Hit, u, 8);

@@ -71,6 +71,9 @@ class Tracer {
   virtual TracerMemory memory() const = 0;
   // What memory() lacks because it is on the GPU. A report copies it when a frame ends.
   virtual TracerCounts counts() const { return {}; }
+
+  // RayWork per ray of the queue that was traced last, if trace.count_work is set and the method counts.
+  virtual const gl::Buffer* rayWork() const { return nullptr; }
 };
 
 // The tracer that the settings name; null for "none". Methods that the caller brings (see Renderer) come before those

@@ -32,7 +32,7 @@ TracePass makeTracePass(const gl::Api& api, const Settings& settings) {
   std::vector<gl::Define> defines = pageDefines(pageSize(settings));
   defines.push_back({"LINEAR_STEPS", std::to_string(settings.attributes.steps)});
   if (settings.attributes.sorted) defines.push_back({"SORTED"});
-  return TracePass(api, settings.trace.stage, "tracing/attributes", defines);
+  return TracePass(api, settings.trace, "tracing/attributes", std::move(defines));
 }
 
 const Settings& checked(const Settings& settings) {
@@ -49,7 +49,7 @@ Method AttributeTracer::method() {
        .help = "fragments with all surface attributes (Hu et al. 2014; Kastrati & Goswami 2017)",
        .settings = {"voxels.resolution", "voxels.raster", "voxels.axis", "abuffer.resolution", "abuffer.page_size",
                     "abuffer.buffers", "abuffer.lists", "abuffer.sorted", "search.steps", "search.refinements",
-                    "trace.stage"},
+                    "trace.stage", "trace.count_work"},
        .fixedResolution = true,
        .preset = "kastrati2017",
        .knobs = {{"search.steps", {"1", "3", "0"}},

@@ -27,7 +27,8 @@ int raysPerInvocation(const gl::Api& api) { return api.software ? kSoftwareRays 
 Method IdentityTracer::method() {
   return {{.name = "identity",
            .help = "fragments that name their triangle, exact ray/triangle test",
-           .settings = {"voxels.resolution", "voxels.per_triangle", "voxels.axis", "abuffer.keep", "trace.stage"},
+           .settings = {"voxels.resolution", "voxels.per_triangle", "voxels.axis", "abuffer.keep", "trace.stage",
+                        "trace.count_work"},
            .preset = "halfsilver",
            .knobs = {{"voxels.per_triangle", {"2", "4", "8", "16", "32", "64"}}}},
           [](const gl::Api& api, const Settings& settings) { return std::make_unique<IdentityTracer>(api, settings); }};
@@ -38,8 +39,8 @@ IdentityTracer::IdentityTracer(const gl::Api& api, const Settings& settings)
       store_(api, settings),
       builder_(api),
       request_(gl::Program::compute(api, "tracing/identity/request.comp")),
-      tracePass_(api, settings.trace.stage, "tracing/identity", {},
-                 {.raysPerGroup = TracePass::kGroup * raysPerInvocation(api), .softwareWorkLimit = kSoftwareWorkLimit}) {
+      tracePass_(api, settings.trace, "tracing/identity", {},
+                 {.raysPerInvocation = raysPerInvocation(api), .softwareWorkLimit = kSoftwareWorkLimit}) {
   if (settings.trace.stage == TraceStage::compute)
     tracePass_.program().set("raysPerInvocation", static_cast<GLuint>(raysPerInvocation(api)));
 }

@@ -30,6 +30,7 @@ class IdentityTracer final : public Tracer {
   void forget() override { built_ = false; }
   void trace(const FrameView& view, const RayQueue& rays, Hits& hits) override;
   TracerMemory memory() const override;
+  const gl::Buffer* rayWork() const override { return tracePass_.work(); }
   TracerCounts counts() const override { return {&builder_.counters().buffer(), addFragmentCounts}; }
 
  private:

@@ -1,14 +1,22 @@
 // Pixels whose reflection is traced, compacted into a queue. A batch is a band of the screen.
-#include "lib/blend.glsl"
-#include "lib/display.glsl"
+// With BY_CONTRIBUTION, which reads the shaded G-buffer, pixels that contribute too little are left out, and all are
+// counted by their contribution; otherwise contributions.comp counts them.
+#include "effects/reflection/dither.glsl"
+#include "lib/frame.glsl"
+#include "lib/gbuffer.glsl"
 #include "shared/passes/spawn.h"
 #include "shared/rays.h"
+#ifdef BY_CONTRIBUTION
+#include "effects/reflection/contribution.glsl"
+#endif
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(std430, binding = SSBO_RAYS) writeonly buffer RayBlock { uint queuedPixels[]; };
 layout(std430, binding = SSBO_RAY_COUNT) buffer RayCountBlock { RayCount rayCount; };
+#ifdef BY_CONTRIBUTION
 layout(std430, binding = SSBO_CONTRIBUTIONS) buffer ContributionBlock { uint contributions[CONTRIBUTION_CLASSES]; };
+#endif
 
 uniform int firstRow;  // of the band
 
@@ -21,38 +29,11 @@ const uint PATTERN_REGION = 1u;
 
 // A pixel is kept by fractions above its threshold, so that smaller fractions are parts of larger ones.
 
-// The ordered dither of 256 x 256 pixels (Bayer 1973): every value occurs once in a tile and the pixels below any value
-// are spread evenly.
-float scatteredThreshold(uvec2 pixel) {
-  uint rank = 0u;
-  for (uint bit = 0u; bit < 8u; ++bit) {
-    uint x = (pixel.x >> bit) & 1u, y = (pixel.y >> bit) & 1u;
-    rank |= ((x ^ y) << 1u | y) << (2u * (7u - bit));
-  }
-  return (float(rank) + 0.5) / 65536.0;
-}
-
 // The share of the screen that the rectangle of the screen's shape around its center takes when it reaches the pixel.
 float regionThreshold(ivec2 pixel) {
   vec2 fromCenter = abs(screenPosition(pixel));
   float side = max(fromCenter.x, fromCenter.y);
   return side * side;
-}
-
-// What the reflection of something as bright as white adds to the displayed color: 0..1, the largest of its components.
-float contribution(ivec2 pixel, vec4 position, vec3 normal) {
-  Blend blend = blendOf(pixel, position, normal);
-  vec3 added = displayed(blend.base + blend.share / frame.exposure) - displayed(blend.base);
-  return max(max(added.r, added.g), added.b);
-}
-
-// Pixels whose contributions are within a quarter of an octave are thinned out evenly: a mirror that contributes the
-// same everywhere must not vanish at once.
-const float EQUAL_OCTAVES = 0.25;
-
-uint contributionClass(float contribution) {
-  float fromLeast = log2(max(contribution, exp2(-float(CONTRIBUTION_OCTAVES)))) + float(CONTRIBUTION_OCTAVES);
-  return min(uint(fromLeast * float(CONTRIBUTION_CLASSES / CONTRIBUTION_OCTAVES)), uint(CONTRIBUTION_CLASSES) - 1u);
 }
 
 void main() {
@@ -72,14 +53,15 @@ void main() {
     bool reflects = frame.selectMode == SELECT_ALL || normal.w > frame.minReflectivity;
     selected = frame.selectMode != 0u && position.w > 0.0 && reflects;
   }
-  bool kept = false;
-  float scattered = scatteredThreshold(uvec2(pixel));
-  float threshold = frame.selectPattern == PATTERN_REGION ? regionThreshold(pixel) : scattered;
-  if (selected && threshold < frame.selectFraction) {
-    float worth = contribution(pixel, position, normal.xyz) * exp2(-EQUAL_OCTAVES * scattered);
+  float threshold = frame.selectPattern == PATTERN_REGION ? regionThreshold(pixel) : scatteredThreshold(uvec2(pixel));
+  bool kept = selected && threshold < frame.selectFraction;
+#ifdef BY_CONTRIBUTION
+  if (kept) {
+    float worth = contributionOf(pixel, position, normal.xyz);
     atomicAdd(contributions[contributionClass(worth)], 1u);
-    kept = frame.minContribution <= 0.0 || worth > frame.minContribution;
+    kept = worth > frame.minContribution;
   }
+#endif
   uint word = lane >> 5, bit = 1u << (lane & 31u);
   if (selected) atomicOr(selectedMask[word], bit);
   if (kept) atomicOr(keptMask[word], bit);

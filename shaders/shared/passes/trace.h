@@ -2,6 +2,7 @@
 #ifndef HALFSILVER_PASSES_TRACE_H
 #define HALFSILVER_PASSES_TRACE_H
 
+#define SSBO_RAY_WORK 4      // RayWork[], if it is counted; a trace reads no lights
 #define SSBO_HIT_SURFACES 9  // HitSurface[], if the method stores attributes
 #define SSBO_PAUSED 10       // PausedRay[]
 #define SSBO_RESUME 6        // Resume, then two lists of ray indices; a trace reads no paths

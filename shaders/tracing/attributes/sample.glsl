@@ -4,6 +4,7 @@
 #include "tracing/attributes/entry.glsl"
 #include "tracing/attributes/page_cursor.glsl"
 #include "tracing/common/grid.glsl"
+#include "tracing/common/ray_work.glsl"
 #include "tracing/common/trace_state.glsl"
 #include "tracing/common/walk.glsl"
 
@@ -45,6 +46,7 @@ float planeSide(TraceRay ray, int axis, float t, ivec2 texel, float depth, vec3 
 }
 
 Sample sampleAt(TraceRay ray, Slab slab, float t, ivec2 texel, inout int work) {
+  countTest();
   Sample s = Sample(t, permute(ray.gridOrigin + ray.gridDirection * t, slab.axis).z, 0.0, texel, noFragment, 0.0, 0.0);
   PageCursor it = firstEntry(heads[headIndex(slab.axis, texel)]);
   bool going = it.entry != noCursor;

@@ -7,6 +7,7 @@
 #include "tracing/attributes/entry.glsl"
 #include "tracing/attributes/sample.glsl"
 #include "tracing/common/grid.glsl"
+#include "tracing/common/ray_work.glsl"
 #include "tracing/common/trace_state.glsl"
 #include "tracing/common/voxel_store.glsl"
 #include "tracing/common/walk.glsl"
@@ -89,6 +90,7 @@ bool march(TraceRay ray, float end, inout PausedRay pause, inout Hit best) {
   bool going = t < end;
   VoxelWalk walk = startVoxelWalk(ray, t);
   while (going) {
+    countStep();
     float exit = max(t, min(voxelExit(walk), end));
     for (uint mask = voxelMask(walk.voxel); mask != 0u; mask &= mask - 1u)
       searchBuffer(ray, findLSB(mask), t, exit, best, work);

@@ -2,6 +2,7 @@
 // trace.comp and trace.frag share every line (tests hold them to the same bits).
 #include "shared/rays.h"
 #include "tracing/common/ray_queue.glsl"
+#include "tracing/common/ray_work.glsl"
 #include "tracing/common/trace_state.glsl"
 #include "tracing/common/walk.glsl"
 
@@ -19,6 +20,7 @@ void traceRay(uint number) {
   vec2 range = gridRange(ray);
   pause.t = max(range.x, pause.t);
   bool through = march(ray, min(range.y, ray.most), pause, best);
+  keepWork(index);
   if (!through && lastDispatch == 0)
     pauseRay(index, pause);
   else

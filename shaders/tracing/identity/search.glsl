@@ -11,6 +11,7 @@
 #include "shared/passes/identity.h"
 #include "shared/rays.h"
 #include "tracing/common/ray_queue.glsl"
+#include "tracing/common/ray_work.glsl"
 #include "tracing/common/test_candidate.glsl"
 #include "tracing/common/trace_state.glsl"
 #include "tracing/common/walk.glsl"
@@ -91,6 +92,7 @@ void stepOn(inout Search s) {
   }
   s.entered = true;
   if (!s.going) return;
+  countStep();
   uint run = bricks[brickIndex(brickOf(voxel))];
   if (present(run)) {
     int side;
@@ -117,10 +119,12 @@ void sift(inout Search s) {
   ++s.list.x;
   bool meets = boxMeets(entry, s.boxes.x) || boxMeets(entry, s.boxes.y);
   if (meets && triangleOf(entry) != s.ray.excluded) s.ready = triangleOf(entry);
+  if (s.ready != NO_TRIANGLE) countTest();
 }
 
 // False if the ray is not through and this voxel is one to come back to: the middle of its stretch finds it again.
 void finish(inout Search s) {
+  keepWork(s.index);
   bool through = !s.going && !s.missing;
   if (through || lastDispatch == 1) {
     storeHit(s.index, s.ray, s.best, through);

@@ -58,6 +58,9 @@ class Profiler {
   };
   [[nodiscard]] HostScope hostSection(std::string_view name) { return HostScope(*this, name); }
 
+  // The same for work that other threads did beside the GPU and that took so long. It may overlap other sections.
+  void add(std::string_view name, double milliseconds) { entries_.push_back({std::string(name), 0, 0, milliseconds}); }
+
   // Forgets the sections since the last collect() without waiting for them.
   void discard();
 

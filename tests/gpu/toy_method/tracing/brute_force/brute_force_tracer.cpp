@@ -8,7 +8,7 @@ Method BruteForceTracer::method() {
 }
 
 BruteForceTracer::BruteForceTracer(const gl::Api& api, const Settings& settings)
-    : tracePass_(api, settings.trace.stage, "tracing/brute_force", {}) {}
+    : tracePass_(api, settings.trace, "tracing/brute_force") {}
 
 void BruteForceTracer::update(const FrameView& view, const SceneChange&) {
   grid_ = makeGrid(view.scene.extents.bounds(), 1, 1);

@@ -1,0 +1,2 @@
+#include "tracing/bvh/search.glsl"
+#include "tracing/common/trace_fragment.glsl"

@@ -1,0 +1,58 @@
+// What searches count of each ray.
+#include <numeric>
+#include <string>
+
+#include "gpu/tracing_scenes.h"
+
+namespace halfsilver::testing {
+namespace {
+
+class RayWorkTest : public TracingTest, public ::testing::WithParamInterface<const char*> {
+ protected:
+  static Settings settings(const char* count) {
+    return settingsWith({{"trace.method", GetParam()}, {"voxels.resolution", "32"}, {"trace.count_work", count}});
+  }
+};
+
+TEST_P(RayWorkTest, IsCountedForEachRayAndChangesNoHit) {
+  const Scene scene = soup(600);
+  Renderer renderer = makeRenderer(scene);
+  const Frame without = drawWholeWith(renderer, kAbove, settings("false"), 80, 60);
+  EXPECT_TRUE(renderer.readRayWork().empty());
+  const Frame with = drawWholeWith(renderer, kAbove, settings("true"), 80, 60);
+  EXPECT_EQ(with.layers.data, without.layers.data);
+  const std::vector<RayWork> work = renderer.readRayWork();
+  ASSERT_EQ(work.size(), with.report.selected);
+  ASSERT_GT(work.size(), 500u);
+  double steps = 0, tests = 0;
+  for (const RayWork& ray : work) {
+    EXPECT_GT(ray.steps, 0u);
+    steps += ray.steps;
+    tests += ray.tests;
+  }
+  const auto rays = static_cast<double>(work.size());
+  EXPECT_GT(steps / rays, 2);
+  EXPECT_LT(steps / rays, 100);
+  EXPECT_GT(tests / rays, 0.5);
+  EXPECT_LT(tests / rays, 100);
+  // Another frame counts anew.
+  drawWith(renderer, kAbove, settings("true"), 80, 60);
+  const auto total = [](const std::vector<RayWork>& of) {
+    return std::accumulate(of.begin(), of.end(), std::uint64_t{0},
+                           [](std::uint64_t sum, const RayWork& ray) { return sum + ray.tests; });
+  };
+  EXPECT_LE(total(renderer.readRayWork()), total(work));
+}
+
+INSTANTIATE_TEST_SUITE_P(CountingMethods, RayWorkTest, ::testing::Values("identity", "bvh", "attributes"),
+                         [](const auto& method) { return std::string(method.param); });
+
+TEST_F(TracingTest, ExactRaysAreNotCounted) {
+  const Scene scene = soup(50);
+  Renderer renderer = makeRenderer(scene);
+  drawWith(renderer, kAbove, settingsWith({{"trace.method", "exact"}, {"trace.count_work", "true"}}), 40, 30);
+  EXPECT_TRUE(renderer.readRayWork().empty());
+}
+
+}  // namespace
+}  // namespace halfsilver::testing

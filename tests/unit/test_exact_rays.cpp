@@ -1,0 +1,119 @@
+// Rays on the CPU, without GL: packets, ties and the threads that trace.
+#include <gtest/gtest.h>
+
+#if HALFSILVER_EXACT
+
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <cstring>
+#include <random>
+#include <vector>
+
+#include "exact/embree_scene.h"
+#include "exact/worker_pool.h"
+
+namespace halfsilver {
+namespace {
+
+using shared::Hit;
+using shared::Ray;
+
+void addTriangle(Scene& scene, const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, std::uint32_t material) {
+  const auto first = static_cast<std::uint32_t>(scene.vertices.size());
+  for (const glm::vec3& corner : {a, b, c}) scene.vertices.push_back({.position = corner});
+  scene.triangles.push_back({{first, first + 1, first + 2}, material});
+}
+
+// Small triangles at random above the ground, single- and double-sided.
+Scene soup() {
+  Scene scene;
+  scene.materials.resize(2);
+  scene.materials[1].doubleSided = true;
+  std::mt19937 random(7);
+  std::uniform_real_distribution<float> place(-2, 2), size(-0.3f, 0.3f);
+  for (std::uint32_t i = 0; i < 500; ++i) {
+    const glm::vec3 at(place(random), 3 + place(random), place(random));
+    const auto corner = [&] { return at + glm::vec3(size(random), size(random), size(random)); };
+    const glm::vec3 a = corner(), b = corner(), c = corner();
+    addTriangle(scene, a, b, c, i % 2);
+  }
+  return scene;
+}
+
+// Rays from a floor, those of neighbors nearly parallel, and each excludes some triangle.
+std::vector<Ray> bundle(std::size_t count) {
+  std::vector<Ray> rays;
+  for (std::size_t i = 0; i < count; ++i) {
+    const float x = static_cast<float>(i % 64) / 32 - 1, z = static_cast<float>(i / 64) / 32 - 1;
+    rays.push_back(
+        {{x, 0, z}, FAR_AWAY, glm::normalize(glm::vec3(0.3f * x, 1, 0.3f * z)), static_cast<std::uint32_t>(i % 500)});
+  }
+  return rays;
+}
+
+std::vector<Hit> traced(const Scene& scene, const std::vector<Ray>& rays, std::size_t atOnce, bool any = false) {
+  EmbreeScene embree(scene, 1);
+  embree.build(EmbreeScene::Quality::fastTrace);
+  std::vector<Hit> hits(rays.size());
+  for (std::size_t i = 0; i < rays.size(); i += atOnce) {
+    const std::size_t count = std::min(atOnce, rays.size() - i);
+    embree.trace(std::span(rays).subspan(i, count), {.minDistance = 1e-4f, .any = any},
+                 std::span(hits).subspan(i, count));
+  }
+  return hits;
+}
+
+bool sameBits(const std::vector<Hit>& a, const std::vector<Hit>& b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(Hit)) == 0;
+}
+
+TEST(ExactRays, PacketsGiveTheBitsOfSingleRays) {
+  const Scene scene = soup();
+  const std::vector<Ray> rays = bundle(64 * 64 + 5);
+  const std::vector<Hit> single = traced(scene, rays, 1);
+  std::size_t hits = 0;
+  for (const Hit& hit : single) hits += hit.t >= 0;
+  EXPECT_GT(hits, rays.size() / 4);
+  EXPECT_LT(hits, rays.size());
+  for (const std::size_t atOnce : {8u, 13u, 1024u}) EXPECT_TRUE(sameBits(single, traced(scene, rays, atOnce)));
+}
+
+TEST(ExactRays, AnyHitIsThereWhereTheNearestOneIs) {
+  const Scene scene = soup();
+  const std::vector<Ray> rays = bundle(2048);
+  const std::vector<Hit> nearest = traced(scene, rays, 1024), any = traced(scene, rays, 1024, true);
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    EXPECT_EQ(nearest[i].t >= 0, any[i].t >= 0);
+    EXPECT_LE(nearest[i].t, any[i].t);
+  }
+}
+
+TEST(ExactRays, OfTrianglesAtOneDistanceTheLowestNumberIsHit) {
+  // Three copies of a triangle among others, which the hierarchy orders as it likes.
+  Scene scene = soup();
+  for (int copy = 0; copy < 3; ++copy) addTriangle(scene, {-3, 0.1f, -3}, {3, 0.1f, -3}, {0, 0.1f, 6}, 1);
+  std::vector<Ray> rays = bundle(64 * 32);
+  for (Ray& ray : rays) ray.excluded = 500;
+  for (const std::size_t atOnce : {1u, 512u})
+    for (const Hit& hit : traced(scene, rays, atOnce)) EXPECT_EQ(hit.triangle, 501u);
+}
+
+TEST(WorkerPool, EveryChunkOfEveryJobIsDoneOnce) {
+  std::array<std::atomic<int>, 100> done[3] = {};
+  WorkerPool pool(3);
+  std::vector<std::shared_ptr<const WorkerPool::Job>> jobs;
+  for (auto& counts : done) jobs.push_back(pool.start(counts.size(), [&counts](std::size_t i) { ++counts[i]; }));
+  for (std::size_t job = jobs.size(); job-- > 0;) {
+    pool.wait(*jobs[job]);
+    for (const std::atomic<int>& count : done[job]) EXPECT_EQ(count, 1);
+    EXPECT_GE(jobs[job]->milliseconds(), 0);
+  }
+  const auto none = pool.start(0, [](std::size_t) { FAIL(); });
+  pool.wait(*none);
+}
+
+}  // namespace
+}  // namespace halfsilver
+
+#endif
