@@ -164,7 +164,7 @@ void Renderer::Impl::begin(const Camera& camera, const Settings& wanted, int wid
   useTracer(wanted);
   drawShadows(wanted, record.profiler());
   const shared::FrameConstants constants =
-      makeFrameConstants(camera, scene.extents.bounds(), sky, wanted, width, height, shadows.lightCount);
+      makeFrameConstants(camera, scene.extents.bounds(), sky, wanted, width, height, shadows.ranges);
   if (shown == work.frame) shown.reset();
   frame.settings = wanted;
   frame.host = constants;

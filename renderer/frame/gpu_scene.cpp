@@ -6,6 +6,7 @@
 
 #include <halfsilver/error.h>
 #include <halfsilver/shared_structs.h>
+#include "frame/alpha_texels.h"
 #include "frame/material_textures.h"
 #include "scene/alpha.h"
 
@@ -40,7 +41,8 @@ shared::GpuTexture packTexture(const TextureUse& use, const std::vector<std::uin
   return packed;
 }
 
-shared::GpuMaterial packMaterial(const Material& material, bool holes, const std::vector<std::uint32_t>& locations) {
+shared::GpuMaterial packMaterial(const Material& material, bool holes, const AlphaPlace& alpha,
+                                 const std::vector<std::uint32_t>& locations) {
   const bool blend = material.alphaMode == AlphaMode::blend;
   const float ratio = (material.ior - 1) / (material.ior + 1);
   shared::GpuMaterial packed{};
@@ -58,6 +60,9 @@ shared::GpuMaterial packMaterial(const Material& material, bool holes, const std
   packed.flags = (material.doubleSided ? MATERIAL_DOUBLE_SIDED : 0) | (holes ? MATERIAL_CUT : 0) |
                  (blend ? MATERIAL_BLEND : 0) | (material.unlit ? MATERIAL_UNLIT : 0) |
                  (material.mirror ? MATERIAL_MIRROR : 0);
+  packed.alphaFirst = alpha.first;
+  packed.alphaWidth = alpha.width;
+  packed.alphaHeight = alpha.height;
   packed.textures[TEXTURE_BASE_COLOR] = packTexture(material.baseColorTexture, locations);
   packed.textures[TEXTURE_METALLIC_ROUGHNESS] = packTexture(material.metallicRoughnessTexture, locations);
   packed.textures[TEXTURE_NORMAL] = packTexture(material.normalTexture, locations);
@@ -127,9 +132,11 @@ std::vector<std::uint32_t> groupTriangles(const Scene& scene, const std::vector<
 }
 
 void uploadMaterials(const gl::Api& api, GpuScene& gpu, const Scene& scene, const std::vector<bool>& holes) {
+  AlphaTexels alphas = uploadAlphas(api, scene, holes);
+  gpu.alphas = std::move(alphas.texels);
   std::vector<shared::GpuMaterial> materials;
   for (std::size_t m = 0; m < scene.materials.size(); ++m)
-    materials.push_back(packMaterial(scene.materials[m], holes[m], gpu.textureLocations));
+    materials.push_back(packMaterial(scene.materials[m], holes[m], alphas.places[m], gpu.textureLocations));
   gpu.materials = gl::makeBuffer(api, std::span<const shared::GpuMaterial>(materials), "materials");
   gpu.drawRanges.clear();
   const std::vector<std::uint32_t> order = groupTriangles(scene, holes, gpu.drawRanges);
@@ -182,7 +189,7 @@ GpuScene uploadScene(const gl::Api& api, const Scene& scene) {
   gpu.triangles = gl::makeBuffer(api, std::span<const glm::uvec4>(triangles), "triangles");
 
   const std::vector<bool> holes = materialsWithHoles(scene);
-  MaterialTextures textures = uploadTextures(api, scene, holes);
+  MaterialTextures textures = uploadTextures(api, scene);
   gpu.textures = std::move(textures.buckets);
   gpu.textureLocations = std::move(textures.locations);
   gpu.warnings = std::move(textures.warnings);

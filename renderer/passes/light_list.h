@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <halfsilver/bounds.h>
+#include <halfsilver/products.h>
 #include <halfsilver/scene.h>
 #include <halfsilver/shared_structs.h>
 
@@ -20,7 +21,8 @@ struct ShadowView {
 
 // Everything that shaders know of light, and what has to be drawn for it.
 struct LightList {
-  std::vector<shared::GpuLight> lights;
+  std::vector<shared::GpuLight> lights;  // range after range
+  LightRanges ranges;
   std::vector<ShadowView> views;
   int layers = 0;
   std::vector<std::string> warnings;

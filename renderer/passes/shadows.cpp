@@ -53,8 +53,8 @@ std::vector<std::string> ShadowPass::run(const GpuScene& scene, std::span<const 
     list.warnings.push_back("shadow maps: the device draws at most " + std::to_string(limits.resolution) +
                             " texels along a side");
 
-  out.lights = gl::makeBuffer<shared::GpuLight>(*api_, list.lights, "lights");
-  out.lightCount = static_cast<std::uint32_t>(list.lights.size());
+  out.lights = gl::makeTexelBuffer<shared::GpuLight>(*api_, list.lights, "lights");
+  out.ranges = list.ranges;
   // Something must be bound, even if nothing casts a shadow.
   const int resolution = list.layers > 0 ? limits.resolution : 1;
   const int layers = std::max(list.layers, 1);

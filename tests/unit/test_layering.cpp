@@ -69,6 +69,7 @@ const std::map<std::string, std::string> kPublicHeaders = {
     {"gl/functions.h", "gl"},
     {"gl/profiler.h", "gl"},
     {"gl/readback.h", "gl"},
+    {"gl/texel_buffer.h", "gl"},
     {"gl/texture.h", "gl"},
     {"methods/attributes.h", "settings"},
     {"methods/identity.h", "settings"},

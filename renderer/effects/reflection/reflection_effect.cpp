@@ -1,6 +1,7 @@
 #include "effects/reflection/reflection_effect.h"
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "shared/passes/resolve.h"
@@ -39,15 +40,16 @@ ReflectionEffect::ReflectionEffect(const gl::Api& api)
       count_(gl::Program::compute(api, "effects/ray_count.comp")),
       resolve_(gl::Program::compute(api, "effects/reflection/resolve.comp")) {}
 
-const gl::Program& ReflectionEffect::shading(bool first, bool surfaces, bool next) {
-  gl::Program& program = shade_[first][surfaces][next];
-  if (program) return program;
-  std::vector<gl::Define> defines;
-  if (first) defines.push_back({"FIRST_GENERATION"});
-  if (surfaces) defines.push_back({"HIT_SURFACES"});
-  if (next) defines.push_back({"NEXT_BOUNCE"});
-  program = gl::Program::compute(*api_, "effects/reflection/shade.comp", defines);
-  return program;
+const gl::Program& ReflectionEffect::shading(const GpuScene& scene, bool first, bool surfaces, bool next) {
+  std::optional<SurfacePrograms>& programs = shade_[first][surfaces][next];
+  if (!programs) {
+    std::vector<gl::Define> defines;
+    if (first) defines.push_back({"FIRST_GENERATION"});
+    if (surfaces) defines.push_back({"HIT_SURFACES"});
+    if (next) defines.push_back({"NEXT_BOUNCE"});
+    programs.emplace(*api_, "effects/reflection/shade.comp", std::move(defines));
+  }
+  return programs->of(scene);
 }
 
 void ReflectionEffect::spawn(const FrameView& view, const GBuffer& gbuffer, int, RayQueue& out, EffectFrame& frame) {
@@ -96,7 +98,7 @@ void ReflectionEffect::shade(const FrameView& view, const RayQueue& rays, const 
     next->count.fill(0, 0, offsetof(shared::RayCount, overflow));  // which counts for the whole frame
   }
 
-  shading(generation == 0, static_cast<bool>(hits.surfaces), next != nullptr).use();
+  shading(view.scene, generation == 0, static_cast<bool>(hits.surfaces), next != nullptr).use();
   view.constants.bindUniform(UBO_FRAME);
   view.scene.bindSurfaces();
   view.shadows.bind();

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <optional>
+
 #include "effects/ray_effect.h"
+#include "frame/surface_programs.h"
 #include "gl/program.h"
 
 namespace halfsilver {
@@ -32,12 +35,13 @@ class ReflectionEffect final : public RayEffect {
                std::uint32_t slotsPerPixel);
 
  private:
-  const gl::Program& shading(bool first, bool surfaces, bool next);
+  const gl::Program& shading(const GpuScene& scene, bool first, bool surfaces, bool next);
   void countRays(const RayQueue& queue) const;
 
   const gl::Api* api_;
   gl::Program spawn_, count_, resolve_;
-  gl::Program shade_[2][2][2];  // made on first use: [first generation][with HitSurface][with a next one]
+  // Made on first use: [first generation][with HitSurface][with a next one].
+  std::optional<SurfacePrograms> shade_[2][2][2];
 };
 
 }  // namespace halfsilver

@@ -7,6 +7,7 @@
 
 #include <halfsilver/bounds.h>
 #include <halfsilver/gl/buffer.h>
+#include <halfsilver/gl/texel_buffer.h>
 #include <halfsilver/gl/texture.h>
 #include <halfsilver/model.h>
 #include <halfsilver/scene_core.h>
@@ -27,6 +28,7 @@ struct GpuScene {
   gl::Buffer positions, attributes, triangles, materials, drawList;
   std::vector<DrawRange> drawRanges;
   std::vector<gl::Texture> textures;            // buckets of equal size, at most TEXTURE_BUCKETS
+  gl::TexelBuffer alphas;                       // of the textures that cut holes, see GpuMaterial::alphaFirst
   gl::Texture sky;                              // 1 x 1 if the sky is a gradient
   std::vector<std::uint32_t> textureLocations;  // one per texture of the scene, see GpuTexture::location
   std::uint32_t vertexCount = 0, triangleCount = 0, materialCount = 0;
@@ -36,17 +38,22 @@ struct GpuScene {
   std::size_t bytes() const;
   // SSBO_POSITIONS and SSBO_TRIANGLES.
   void bindTriangles() const;
-  // All of SSBO_POSITIONS to SSBO_MATERIALS and the material textures.
+  // All of SSBO_POSITIONS to SSBO_MATERIALS, the material textures and their alpha.
   void bindSurfaces() const;
+};
+
+// How many lights of each kind there are, in the order in which they lie behind one another (see GpuLight).
+struct LightRanges {
+  std::uint32_t direct = 0, skyDirections = 0, hemispheres = 0;
 };
 
 // Lights with their shadow maps in one depth array.
 struct ShadowMaps {
-  gl::Buffer lights;  // GpuLight[lightCount], the sky's directions included
-  gl::Texture maps;   // depth array
-  std::uint32_t lightCount = 0;
+  gl::TexelBuffer lights;  // GpuLight[], range after range
+  LightRanges ranges;
+  gl::Texture maps;  // depth array
 
-  void bind() const;  // SSBO_LIGHTS, UNIT_SHADOW_MAPS
+  void bind() const;  // UNIT_LIGHTS, UNIT_SHADOW_MAPS
 };
 
 // One surface per pixel. Position is exact: the pixel's ray through the triangle, not the rasterizer's interpolation.
