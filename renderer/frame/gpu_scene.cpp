@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include <halfsilver/error.h>
 #include <halfsilver/shared_structs.h>
@@ -139,8 +140,18 @@ void uploadMaterials(const gl::Api& api, GpuScene& gpu, const Scene& scene, cons
     materials.push_back(packMaterial(scene.materials[m], holes[m], alphas.places[m], gpu.textureLocations));
   gpu.materials = gl::makeBuffer(api, std::span<const shared::GpuMaterial>(materials), "materials");
   gpu.drawRanges.clear();
-  const std::vector<std::uint32_t> order = groupTriangles(scene, holes, gpu.drawRanges);
+  std::vector<std::uint32_t> order = groupTriangles(scene, holes, gpu.drawRanges);
   gpu.drawList = gl::makeBuffer(api, std::span<const std::uint32_t>(order), "draw list");
+  std::vector<std::uint32_t> indices;
+  for (const DrawRange& range : gpu.drawRanges) {
+    if (range.cut) continue;
+    for (std::uint32_t i = range.first; i < range.first + range.count; ++i) {
+      const auto& vertices = scene.triangles[order[i]].vertices;
+      indices.insert(indices.end(), vertices.begin(), vertices.end());
+    }
+  }
+  gpu.indices = gl::makeBuffer(api, std::span<const std::uint32_t>(indices), "indices");
+  gpu.clusters = DrawClusters(scene, std::move(order), gpu.drawRanges);
 }
 
 void requireCount(std::size_t has, std::size_t uploaded, const char* what) {
@@ -198,12 +209,13 @@ GpuScene uploadScene(const gl::Api& api, const Scene& scene) {
   return gpu;
 }
 
-void updateScene(const gl::Api& api, GpuScene& gpu, const Scene& scene, const SceneChange& change) {
+std::vector<Bounds> updateScene(const gl::Api& api, GpuScene& gpu, const Scene& scene, const SceneChange& change) {
   checkChange(gpu, scene, change);
   if (change.materials) uploadMaterials(api, gpu, scene, materialsWithHoles(scene));
   if (change.sky) gpu.sky = uploadSky(api, scene.sky);
   for (const VertexRange& range : change.moved) writeVertices(gpu, scene, range.first, range.count);
-  if (gpu.extents.update(scene, change.moved) == 0) return;
+  gpu.extents.update(scene, change.moved);
+  return gpu.clusters.update(scene, change.moved);
 }
 
 }  // namespace halfsilver

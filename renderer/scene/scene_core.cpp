@@ -6,6 +6,8 @@
 #include <numeric>
 #include <queue>
 
+#include "scene/vertex_ranges.h"
+
 namespace halfsilver {
 namespace {
 
@@ -40,21 +42,6 @@ std::span<const Triangle> trianglesOf(const Scene& scene, std::size_t block) {
       .subspan(first, std::min(SceneExtents::kBlockTriangles, scene.triangles.size() - first));
 }
 
-// Sorted, without empty ranges and overlaps.
-std::vector<VertexRange> mergeRanges(std::span<const VertexRange> ranges) {
-  std::vector<VertexRange> sorted(ranges.begin(), ranges.end());
-  std::erase_if(sorted, [](const VertexRange& range) { return range.count == 0; });
-  std::sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-  std::vector<VertexRange> merged;
-  for (const VertexRange& range : sorted) {
-    if (merged.empty() || range.first > merged.back().first + merged.back().count)
-      merged.push_back(range);
-    else
-      merged.back().count = std::max(merged.back().count, range.first + range.count - merged.back().first);
-  }
-  return merged;
-}
-
 }  // namespace
 
 SceneExtents::SceneExtents(const Scene& scene)
@@ -77,10 +64,7 @@ std::size_t SceneExtents::update(const Scene& scene, std::span<const VertexRange
   std::size_t measured = 0;
   for (std::size_t block = 0; block < blocks_.size(); ++block) {
     const Block& b = blocks_[block];
-    const auto range = std::partition_point(ranges.begin(), ranges.end(), [&](const VertexRange& each) {
-      return each.first + each.count <= b.firstVertex;
-    });
-    if (range == ranges.end() || range->first > b.lastVertex) continue;
+    if (!touchesRange(ranges, b.firstVertex, b.lastVertex)) continue;
     measure(scene, block);
     ++measured;
   }

@@ -49,6 +49,7 @@ const std::map<std::string, std::string> kPublicHeaders = {
     {"budget.h", "budget"},
     {"builtin.h", "builtin"},
     {"context.h", "context"},
+    {"draw_clusters.h", "scene"},
     {"error.h", "core"},
     {"exact.h", "exact"},
     {"frame_view.h", "frame"},
