@@ -63,7 +63,7 @@ vec3 directLight(uint light, Surface s, vec3 toEye) {
   mat4 worldToMap = shadowMatrix(light, face);
   vec4 place = worldToMap * vec4(receiver, 1.0);
   vec2 gradient = positional ? vec2(0.0) : planeGradient(worldToMap, s.geometricNormal);
-  float lit = filteredShadow(place.xyz / place.w, shadow.z + float(face), gradient);
+  float lit = sharpShadow(place.xyz / place.w, shadow.z + float(face), gradient);
   if (shadow.z < 0.0 || place.w <= 0.0) lit = 1.0;
   return lit > 0.0 ? color * lit * shadeLight(s, toEye, toLight) : vec3(0.0);
 }
@@ -104,7 +104,7 @@ SkyPart skyPart(Surface s) {
     float nl = -dot(s.normal, lightTexel(light, LIGHT_DIRECTION).xyz);
     mat4 worldToMap = shadowMatrix(light, 0);
     vec3 place = (worldToMap * vec4(s.position, 1.0)).xyz;
-    float lit = filteredShadow(place, lightTexel(light, LIGHT_SHADOW).z, planeGradient(worldToMap, s.geometricNormal));
+    float lit = softShadow(place, lightTexel(light, LIGHT_SHADOW).z, planeGradient(worldToMap, s.geometricNormal));
     seen += luminance(color) * nl * lit;
     irradiance += color * (nl * lit);
   }
