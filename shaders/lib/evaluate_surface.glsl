@@ -68,7 +68,9 @@ Surface evaluateSurface(uint triangle, vec2 barycentrics, vec3 direction, float 
   uint m = corners.w;
   uint flags = materials[m].flags;
   bool mirror = (flags & MATERIAL_MIRROR) != 0u;
-  vec4 texels[7] = vec4[7](vec4(1.0), vec4(1.0), vec4(1.0), vec4(1.0), vec4(1.0), vec4(1.0), vec4(1.0));
+  vec3 baseTexel = vec3(1.0), emissiveTexel = vec3(1.0), specularColorTexel = vec3(1.0), normalTexel = vec3(1.0);
+  vec2 roughnessMetallicTexel = vec2(1.0);
+  float occlusionTexel = 1.0, specularTexel = 1.0;
   // Only the textures that there are, in a loop that cannot be unrolled: the sampling code is large, and software
   // rasterizers execute both sides of every branch.
   uint pending = flags >> MATERIAL_TEXTURES_SHIFT;
@@ -77,19 +79,26 @@ Surface evaluateSurface(uint triangle, vec2 barycentrics, vec3 direction, float 
     pending &= pending - 1u;
     GpuTexture binding = materials[m].textures[use];
     bool second = (binding.sampling & SAMPLING_UV_SET) != 0u;
-    texels[use] = sampleTexture(binding, second ? coordinates.zw : coordinates.xy, second ? ddx.zw : ddx.xy,
-                                second ? ddy.zw : ddy.xy);
+    vec4 texel = sampleTexture(binding, second ? coordinates.zw : coordinates.xy, second ? ddx.zw : ddx.xy,
+                               second ? ddy.zw : ddy.xy);
+    // No array: an index that differs between neighbors would put it into memory.
+    if (use == TEXTURE_BASE_COLOR) baseTexel = texel.rgb;
+    if (use == TEXTURE_METALLIC_ROUGHNESS) roughnessMetallicTexel = texel.gb;
+    if (use == TEXTURE_NORMAL) normalTexel = texel.xyz;
+    if (use == TEXTURE_OCCLUSION) occlusionTexel = texel.r;
+    if (use == TEXTURE_EMISSIVE) emissiveTexel = texel.rgb;
+    if (use == TEXTURE_SPECULAR) specularTexel = texel.a;
+    if (use == TEXTURE_SPECULAR_COLOR) specularColorTexel = texel.rgb;
   }
 
   s.unlit = (flags & MATERIAL_UNLIT) != 0u && !mirror;
-  s.baseColor = (materials[m].baseColor * vertexColor * texels[TEXTURE_BASE_COLOR]).rgb;
-  s.emissive = materials[m].emissive * texels[TEXTURE_EMISSIVE].rgb;
-  s.roughness = clamp(materials[m].roughness * texels[TEXTURE_METALLIC_ROUGHNESS].g, 0.0, 1.0);
-  s.metallic = clamp(materials[m].metallic * texels[TEXTURE_METALLIC_ROUGHNESS].b, 0.0, 1.0);
-  s.occlusion = 1.0 + materials[m].occlusionStrength * (texels[TEXTURE_OCCLUSION].r - 1.0);
-  vec3 dielectric = min(materials[m].dielectricF0 * materials[m].specularColor * texels[TEXTURE_SPECULAR_COLOR].rgb,
-                        vec3(1.0)) *
-                    (materials[m].specularFactor * texels[TEXTURE_SPECULAR].a);
+  s.baseColor = materials[m].baseColor.rgb * vertexColor.rgb * baseTexel;
+  s.emissive = materials[m].emissive * emissiveTexel;
+  s.roughness = clamp(materials[m].roughness * roughnessMetallicTexel.x, 0.0, 1.0);
+  s.metallic = clamp(materials[m].metallic * roughnessMetallicTexel.y, 0.0, 1.0);
+  s.occlusion = 1.0 + materials[m].occlusionStrength * (occlusionTexel - 1.0);
+  vec3 dielectric = min(materials[m].dielectricF0 * materials[m].specularColor * specularColorTexel, vec3(1.0)) *
+                    (materials[m].specularFactor * specularTexel);
   s.f0 = mix(dielectric, s.baseColor, s.metallic);
 
   // Degenerate attributes fall back to the triangle itself.
@@ -100,7 +109,7 @@ Surface evaluateSurface(uint triangle, vec2 barycentrics, vec3 direction, float 
     s.roughness = 0.0;
     s.metallic = 0.0;
   } else if (materials[m].textures[TEXTURE_NORMAL].location != NO_TEXTURE) {
-    vec3 mapped = texels[TEXTURE_NORMAL].xyz * 2.0 - 1.0;
+    vec3 mapped = normalTexel * 2.0 - 1.0;
     mapped.xy *= materials[m].normalScale;
     vec3 along = tangent - dot(tangent, normal) * normal;
     if (dot(along, along) > 1e-12) {
