@@ -3,8 +3,8 @@
 namespace halfsilver {
 
 std::size_t GpuScene::bytes() const {
-  std::size_t sum = positions.bytes() + attributes.bytes() + triangles.bytes() + materials.bytes() + drawList.bytes() + indices.bytes() +
-                    alphas.bytes() + sky.bytes();
+  std::size_t sum = positions.bytes() + attributes.bytes() + triangles.bytes() + materials.bytes() + drawList.bytes() +
+                    indices.bytes() + alphas.bytes() + sky.bytes();
   for (const gl::Texture& texture : textures) sum += texture.bytes();
   return sum;
 }

@@ -62,8 +62,8 @@ float softShadow(vec3 place, float layer, vec2 gradient) {
 }
 
 // Change of a plane's depth per texel of an orthographic map. Each tap is compared with the receiver's plane, so a flat
-// surface never shadows itself and nothing has to be moved. Depth falls along the normal; at grazing angles the plane is
-// cut short, there is no light to lose there.
+// surface never shadows itself and nothing has to be moved. Depth falls along the normal; at grazing angles the plane
+// is cut short, there is no light to lose there.
 vec2 planeGradient(mat4 worldToMap, vec3 normal) {
   mat4 m = worldToMap;
   vec3 u = vec3(m[0].x, m[1].x, m[2].x);
