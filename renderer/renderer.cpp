@@ -51,6 +51,7 @@ struct Renderer::Impl {
 
   ShadowMaps shadows;
   std::optional<ShadowSettings> shadowSettings;  // of the maps; none: they are out of date
+  ShadowChange shadowChange;                     // since they were drawn
   std::vector<std::string> shadowWarnings;
   std::unique_ptr<Tracer> tracer;
   std::optional<Settings> tracerSettings;  // of the tracer, which is null for "none"
@@ -113,8 +114,9 @@ void Renderer::Impl::useTracer(const Settings& wanted) {
 void Renderer::Impl::drawShadows(const Settings& wanted, gl::Profiler& profiler) {
   if (shadowSettings == wanted.shadow) return;
   shadowSettings.reset();
-  shadowWarnings = shadowPass.run(scene, lights, sky, wanted, shadows, profiler);
+  shadowWarnings = shadowPass.run(scene, lights, sky, wanted, shadowChange, shadows, profiler);
   shadowSettings = wanted.shadow;
+  shadowChange = {.everything = false, .moved = {}};
 }
 
 // Of a batch: what belongs to its rays fits one storage block each.
@@ -181,7 +183,7 @@ void Renderer::Impl::begin(const Camera& camera, const Settings& wanted, int wid
   useTracer(wanted);
   drawShadows(wanted, record.profiler());
   const shared::FrameConstants constants =
-      makeFrameConstants(camera, scene.extents.bounds(), sky, wanted, width, height, shadows.lightCount);
+      makeFrameConstants(camera, scene.extents.bounds(), sky, wanted, width, height, shadows.ranges);
   if (shown == work.frame) shown.reset();
   frame.settings = wanted;
   frame.host = constants;
@@ -254,11 +256,14 @@ void Renderer::Impl::noteChange(const SceneChange& changed) {
 
 void Renderer::Impl::upload(const Scene& wanted, const SceneChange& changed) {
   try {
-    updateScene(api, scene, wanted, changed);
+    const std::vector<Bounds> moved = updateScene(api, scene, wanted, changed);
+    shadowChange.moved.insert(shadowChange.moved.end(), moved.begin(), moved.end());
   } catch (...) {
     noteChange(changed);  // some of it may have been written
+    shadowChange.everything = true;
     throw;
   }
+  shadowChange.everything |= changed.materials;
   if (changed.lights) lights = wanted.lights;
   if (changed.sky) sky = wanted.sky;
   noteChange(changed);
@@ -288,6 +293,7 @@ void Renderer::setScene(const Scene& scene) {
   r.tracer.reset();  // it knows the old scene
   r.tracerSettings.reset();
   r.shadowSettings.reset();
+  r.shadowChange = {};
   r.scene = GpuScene();  // its memory goes before the new one's comes
   r.scene = uploadScene(r.api, scene);
   r.lights = scene.lights;

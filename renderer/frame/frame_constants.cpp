@@ -50,7 +50,7 @@ double chooseNear(const Camera& camera, const Bounds& bounds, double tangentX, d
 }  // namespace
 
 shared::FrameConstants makeFrameConstants(const Camera& camera, const Bounds& bounds, const Sky& sky,
-                                          const Settings& settings, int width, int height, std::uint32_t lightCount) {
+                                          const Settings& settings, int width, int height, const LightRanges& lights) {
   if (width < 1 || height < 1) throw Error(ErrorKind::usage, "the picture's size must be at least 1 x 1");
   if (!(camera.verticalFov > 0 && camera.verticalFov < 3.14159f))
     throw Error(ErrorKind::usage, "the camera's field of view must lie between 0 and 180 degrees");
@@ -90,7 +90,9 @@ shared::FrameConstants makeFrameConstants(const Camera& camera, const Bounds& bo
   frame.skyGround = sky.ground * sky.intensity;
   frame.width = static_cast<std::uint32_t>(width);
   frame.height = static_cast<std::uint32_t>(height);
-  frame.lightCount = lightCount;
+  frame.directLights = lights.direct;
+  frame.skyDirections = lights.skyDirections;
+  frame.hemispheres = lights.hemispheres;
   frame.cullBackFaces = settings.scene.cullBackFaces ? 1 : 0;
   frame.maxRoughness = settings.select.maxRoughness;
   frame.minReflectivity = settings.select.minReflectivity;

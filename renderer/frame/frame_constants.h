@@ -1,8 +1,7 @@
 #pragma once
 
-#include <cstdint>
-
 #include <halfsilver/bounds.h>
+#include <halfsilver/products.h>
 #include <halfsilver/scene.h>
 #include <halfsilver/settings.h>
 #include <halfsilver/shared_structs.h>
@@ -14,7 +13,7 @@ namespace halfsilver {
 // camera leaves at 0: near just before the scene's bounds or a small part of their diagonal, far at infinity.
 // Throws Error (usage) for a size below 1 or a camera without a direction or a field of view.
 shared::FrameConstants makeFrameConstants(const Camera& camera, const Bounds& bounds, const Sky& sky,
-                                          const Settings& settings, int width, int height, std::uint32_t lightCount);
+                                          const Settings& settings, int width, int height, const LightRanges& lights);
 
 // Hits nearer than this are ignored by every method: 1e-5 of the diagonal of the bounds. Meters.
 float smallestHitDistance(const Bounds& bounds);

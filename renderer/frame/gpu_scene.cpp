@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include <halfsilver/error.h>
 #include <halfsilver/shared_structs.h>
+#include "frame/alpha_texels.h"
 #include "frame/material_textures.h"
 #include "scene/alpha.h"
 
@@ -40,7 +42,8 @@ shared::GpuTexture packTexture(const TextureUse& use, const std::vector<std::uin
   return packed;
 }
 
-shared::GpuMaterial packMaterial(const Material& material, bool holes, const std::vector<std::uint32_t>& locations) {
+shared::GpuMaterial packMaterial(const Material& material, bool holes, const AlphaPlace& alpha,
+                                 const std::vector<std::uint32_t>& locations) {
   const bool blend = material.alphaMode == AlphaMode::blend;
   const float ratio = (material.ior - 1) / (material.ior + 1);
   shared::GpuMaterial packed{};
@@ -58,6 +61,9 @@ shared::GpuMaterial packMaterial(const Material& material, bool holes, const std
   packed.flags = (material.doubleSided ? MATERIAL_DOUBLE_SIDED : 0) | (holes ? MATERIAL_CUT : 0) |
                  (blend ? MATERIAL_BLEND : 0) | (material.unlit ? MATERIAL_UNLIT : 0) |
                  (material.mirror ? MATERIAL_MIRROR : 0);
+  packed.alphaFirst = alpha.first;
+  packed.alphaWidth = alpha.width;
+  packed.alphaHeight = alpha.height;
   packed.textures[TEXTURE_BASE_COLOR] = packTexture(material.baseColorTexture, locations);
   packed.textures[TEXTURE_METALLIC_ROUGHNESS] = packTexture(material.metallicRoughnessTexture, locations);
   packed.textures[TEXTURE_NORMAL] = packTexture(material.normalTexture, locations);
@@ -127,13 +133,25 @@ std::vector<std::uint32_t> groupTriangles(const Scene& scene, const std::vector<
 }
 
 void uploadMaterials(const gl::Api& api, GpuScene& gpu, const Scene& scene, const std::vector<bool>& holes) {
+  AlphaTexels alphas = uploadAlphas(api, scene, holes);
+  gpu.alphas = std::move(alphas.texels);
   std::vector<shared::GpuMaterial> materials;
   for (std::size_t m = 0; m < scene.materials.size(); ++m)
-    materials.push_back(packMaterial(scene.materials[m], holes[m], gpu.textureLocations));
+    materials.push_back(packMaterial(scene.materials[m], holes[m], alphas.places[m], gpu.textureLocations));
   gpu.materials = gl::makeBuffer(api, std::span<const shared::GpuMaterial>(materials), "materials");
   gpu.drawRanges.clear();
-  const std::vector<std::uint32_t> order = groupTriangles(scene, holes, gpu.drawRanges);
+  std::vector<std::uint32_t> order = groupTriangles(scene, holes, gpu.drawRanges);
   gpu.drawList = gl::makeBuffer(api, std::span<const std::uint32_t>(order), "draw list");
+  std::vector<std::uint32_t> indices;
+  for (const DrawRange& range : gpu.drawRanges) {
+    if (range.cut) continue;
+    for (std::uint32_t i = range.first; i < range.first + range.count; ++i) {
+      const auto& vertices = scene.triangles[order[i]].vertices;
+      indices.insert(indices.end(), vertices.begin(), vertices.end());
+    }
+  }
+  gpu.indices = gl::makeBuffer(api, std::span<const std::uint32_t>(indices), "indices");
+  gpu.clusters = DrawClusters(scene, std::move(order), gpu.drawRanges);
 }
 
 void requireCount(std::size_t has, std::size_t uploaded, const char* what) {
@@ -182,7 +200,7 @@ GpuScene uploadScene(const gl::Api& api, const Scene& scene) {
   gpu.triangles = gl::makeBuffer(api, std::span<const glm::uvec4>(triangles), "triangles");
 
   const std::vector<bool> holes = materialsWithHoles(scene);
-  MaterialTextures textures = uploadTextures(api, scene, holes);
+  MaterialTextures textures = uploadTextures(api, scene);
   gpu.textures = std::move(textures.buckets);
   gpu.textureLocations = std::move(textures.locations);
   gpu.warnings = std::move(textures.warnings);
@@ -191,12 +209,13 @@ GpuScene uploadScene(const gl::Api& api, const Scene& scene) {
   return gpu;
 }
 
-void updateScene(const gl::Api& api, GpuScene& gpu, const Scene& scene, const SceneChange& change) {
+std::vector<Bounds> updateScene(const gl::Api& api, GpuScene& gpu, const Scene& scene, const SceneChange& change) {
   checkChange(gpu, scene, change);
   if (change.materials) uploadMaterials(api, gpu, scene, materialsWithHoles(scene));
   if (change.sky) gpu.sky = uploadSky(api, scene.sky);
   for (const VertexRange& range : change.moved) writeVertices(gpu, scene, range.first, range.count);
-  if (gpu.extents.update(scene, change.moved) == 0) return;
+  gpu.extents.update(scene, change.moved);
+  return gpu.clusters.update(scene, change.moved);
 }
 
 }  // namespace halfsilver

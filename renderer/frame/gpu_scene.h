@@ -1,6 +1,6 @@
 #pragma once
 
-#include <span>
+#include <vector>
 
 #include <halfsilver/products.h>
 #include <halfsilver/scene.h>
@@ -14,6 +14,7 @@ GpuScene uploadScene(const gl::Api& api, const Scene& scene);
 
 // Uploads what changed in the scene that was uploaded: moved vertices, the sky, the values of materials. Throws Error
 // (usage) if the scene has other counts of vertices, triangles, materials or textures, before anything is written.
-void updateScene(const gl::Api& api, GpuScene& gpu, const Scene& scene, const SceneChange& change);
+// Returns the bounds of what moved, before and after, a few hundred triangles at a time.
+std::vector<Bounds> updateScene(const gl::Api& api, GpuScene& gpu, const Scene& scene, const SceneChange& change);
 
 }  // namespace halfsilver

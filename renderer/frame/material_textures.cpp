@@ -28,11 +28,6 @@ int layersOf(const TextureGroup& group, const BucketLimits& limits) {
   return static_cast<int>(std::min<std::size_t>(fitting, static_cast<std::size_t>(limits.layers)));
 }
 
-struct Candidate {
-  TextureGroup group;
-  bool exact = false;
-};
-
 // Doublings from one size to the other; shrinking loses detail and counts twice.
 double distance(const TextureGroup& from, const TextureGroup& to) {
   const auto along = [](int a, int b) {
@@ -42,23 +37,23 @@ double distance(const TextureGroup& from, const TextureGroup& to) {
   return along(from.width, to.width) + along(from.height, to.height);
 }
 
-std::size_t nearestPartner(const std::vector<Candidate>& candidates, std::size_t which) {
+std::size_t nearestPartner(const std::vector<TextureGroup>& candidates, std::size_t which) {
   std::size_t best = candidates.size();
   for (std::size_t i = 0; i < candidates.size(); ++i) {
-    if (i == which || candidates[i].group.srgb != candidates[which].group.srgb) continue;
-    if (best == candidates.size() || distance(candidates[which].group, candidates[i].group) <
-                                         distance(candidates[which].group, candidates[best].group))
+    if (i == which || candidates[i].srgb != candidates[which].srgb) continue;
+    if (best == candidates.size() ||
+        distance(candidates[which], candidates[i]) < distance(candidates[which], candidates[best]))
       best = i;
   }
   return best;
 }
 
-// The group with the fewest textures that has a partner, groups whose texels must stay exact last.
-std::size_t rarest(const std::vector<Candidate>& candidates) {
+// The group with the fewest textures that has a partner.
+std::size_t rarest(const std::vector<TextureGroup>& candidates) {
   std::size_t best = candidates.size();
-  const auto rank = [&](std::size_t i) { return std::pair(candidates[i].exact, candidates[i].group.textures.size()); };
   for (std::size_t i = 0; i < candidates.size(); ++i)
-    if (nearestPartner(candidates, i) < candidates.size() && (best == candidates.size() || rank(i) < rank(best)))
+    if (nearestPartner(candidates, i) < candidates.size() &&
+        (best == candidates.size() || candidates[i].textures.size() < candidates[best].textures.size()))
       best = i;
   return best;
 }
@@ -114,25 +109,18 @@ bool hasAnisotropy(const gl::Api& api) {
                            hasExtension(api, "GL_ARB_texture_filter_anisotropic"));
 }
 
-std::vector<TextureRequest> requestsOf(const Scene& scene, const std::vector<bool>& holes) {
-  struct Need {
-    bool used = false, exact = false;
-  };
-  std::vector<Need> needs(scene.textures.size());
-  for (std::size_t m = 0; m < scene.materials.size(); ++m) {
-    const Material& material = scene.materials[m];
+std::vector<TextureRequest> requestsOf(const Scene& scene) {
+  std::vector<bool> used(scene.textures.size());
+  for (const Material& material : scene.materials)
     for (const TextureUse* use : {&material.baseColorTexture, &material.metallicRoughnessTexture,
                                   &material.normalTexture, &material.occlusionTexture, &material.emissiveTexture,
                                   &material.specularTexture, &material.specularColorTexture})
-      if (use->texture >= 0) needs[static_cast<std::size_t>(use->texture)].used = true;
-    if (holes[m] && material.baseColorTexture.texture >= 0)
-      needs[static_cast<std::size_t>(material.baseColorTexture.texture)].exact = true;
-  }
+      if (use->texture >= 0) used[static_cast<std::size_t>(use->texture)] = true;
   std::vector<TextureRequest> requests;
-  for (std::size_t t = 0; t < needs.size(); ++t) {
-    if (!needs[t].used) continue;
+  for (std::size_t t = 0; t < used.size(); ++t) {
+    if (!used[t]) continue;
     const Texture& texture = *scene.textures[t];
-    requests.push_back({static_cast<int>(t), texture.width, texture.height, texture.srgb, needs[t].exact});
+    requests.push_back({static_cast<int>(t), texture.width, texture.height, texture.srgb});
   }
   return requests;
 }
@@ -155,10 +143,9 @@ void finishBucket(const gl::Api& api, const gl::Texture& bucket, bool anisotropi
 
 std::string sizeText(int width, int height) { return std::to_string(width) + " x " + std::to_string(height); }
 
-std::string resamplingWarning(const Texture& texture, const TextureGroup& group, bool exact) {
+std::string resamplingWarning(const Texture& texture, const TextureGroup& group) {
   return "texture '" + texture.name + "' is resampled from " + sizeText(texture.width, texture.height) + " to " +
-         sizeText(group.width, group.height) +
-         (exact ? "; the holes that its alpha cuts differ slightly from those of rays traced on the CPU" : "");
+         sizeText(group.width, group.height);
 }
 
 }  // namespace
@@ -169,46 +156,41 @@ int bucketCount(const TextureGroup& group, const BucketLimits& limits) {
 }
 
 std::vector<TextureGroup> planBuckets(std::span<const TextureRequest> requests, const BucketLimits& limits) {
-  std::vector<Candidate> candidates;
+  std::vector<TextureGroup> candidates;
   for (const TextureRequest& request : requests) {
     const int width = std::min(request.width, limits.textureSize);
     const int height = std::min(request.height, limits.textureSize);
-    auto place = std::find_if(candidates.begin(), candidates.end(), [&](const Candidate& candidate) {
-      return candidate.group.width == width && candidate.group.height == height && candidate.group.srgb == request.srgb;
+    auto place = std::find_if(candidates.begin(), candidates.end(), [&](const TextureGroup& candidate) {
+      return candidate.width == width && candidate.height == height && candidate.srgb == request.srgb;
     });
-    if (place == candidates.end())
-      place = candidates.insert(candidates.end(), {{width, height, request.srgb, {}}, false});
-    place->group.textures.push_back(request.texture);
-    place->exact = place->exact || request.exact;
+    if (place == candidates.end()) place = candidates.insert(candidates.end(), {width, height, request.srgb, {}});
+    place->textures.push_back(request.texture);
   }
   const auto buckets = [&] {
     int sum = 0;
-    for (const Candidate& candidate : candidates) sum += bucketCount(candidate.group, limits);
+    for (const TextureGroup& candidate : candidates) sum += bucketCount(candidate, limits);
     return sum;
   };
   while (buckets() > limits.buckets) {
     const std::size_t which = rarest(candidates);
     if (which < candidates.size()) {
-      Candidate& partner = candidates[nearestPartner(candidates, which)];
-      std::vector<int>& moved = candidates[which].group.textures;
-      partner.group.textures.insert(partner.group.textures.end(), moved.begin(), moved.end());
-      partner.exact = partner.exact || candidates[which].exact;
+      TextureGroup& partner = candidates[nearestPartner(candidates, which)];
+      std::vector<int>& moved = candidates[which].textures;
+      partner.textures.insert(partner.textures.end(), moved.begin(), moved.end());
       candidates.erase(candidates.begin() + static_cast<std::ptrdiff_t>(which));
       continue;
     }
     // One size an encoding is left: too many layers, so smaller ones.
-    Candidate& largest = *std::max_element(candidates.begin(), candidates.end(), [&](const auto& a, const auto& b) {
-      return bucketCount(a.group, limits) < bucketCount(b.group, limits);
+    TextureGroup& largest = *std::max_element(candidates.begin(), candidates.end(), [&](const auto& a, const auto& b) {
+      return bucketCount(a, limits) < bucketCount(b, limits);
     });
-    if (largest.group.width == 1 && largest.group.height == 1)
+    if (largest.width == 1 && largest.height == 1)
       throw Error(ErrorKind::failed, "the scene has more textures than the device can hold in " +
                                          std::to_string(limits.buckets) + " arrays");
-    largest.group.width = std::max(1, largest.group.width / 2);
-    largest.group.height = std::max(1, largest.group.height / 2);
+    largest.width = std::max(1, largest.width / 2);
+    largest.height = std::max(1, largest.height / 2);
   }
-  std::vector<TextureGroup> groups;
-  for (Candidate& candidate : candidates) groups.push_back(std::move(candidate.group));
-  return groups;
+  return candidates;
 }
 
 Texture resample(const Texture& texture, int width, int height) {
@@ -244,8 +226,8 @@ Texture resample(const Texture& texture, int width, int height) {
   return result;
 }
 
-MaterialTextures uploadTextures(const gl::Api& api, const Scene& scene, const std::vector<bool>& holes) {
-  const std::vector<TextureRequest> requests = requestsOf(scene, holes);
+MaterialTextures uploadTextures(const gl::Api& api, const Scene& scene) {
+  const std::vector<TextureRequest> requests = requestsOf(scene);
   for (const TextureRequest& request : requests) {
     const Texture& texture = *scene.textures[static_cast<std::size_t>(request.texture)];
     if (texture.width < 1 || texture.height < 1 ||
@@ -267,10 +249,7 @@ MaterialTextures uploadTextures(const gl::Api& api, const Scene& scene, const st
         const Texture* texture = scene.textures[index].get();
         Texture resized;
         if (texture->width != group.width || texture->height != group.height) {
-          const bool exact = std::any_of(requests.begin(), requests.end(), [&](const TextureRequest& request) {
-            return static_cast<std::size_t>(request.texture) == index && request.exact;
-          });
-          result.warnings.push_back(resamplingWarning(*texture, group, exact));
+          result.warnings.push_back(resamplingWarning(*texture, group));
           resized = resample(*texture, group.width, group.height);
           texture = &resized;
         }

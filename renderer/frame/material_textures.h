@@ -22,7 +22,6 @@ struct TextureRequest {
   int texture = 0;  // into Scene::textures
   int width = 0, height = 0;
   bool srgb = false;
-  bool exact = false;  // its texels decide about holes: it is resampled only if nothing else is left
 };
 
 struct BucketLimits {
@@ -45,9 +44,9 @@ struct MaterialTextures {
   std::vector<std::string> warnings;
 };
 
-// Uploads the textures that materials use, with mipmaps. `holes`: materialsWithHoles(scene). Throws Error (badInput)
-// for a texture without texels and Error (failed) when out of memory.
-MaterialTextures uploadTextures(const gl::Api& api, const Scene& scene, const std::vector<bool>& holes);
+// Uploads the textures that materials use, with mipmaps. Throws Error (badInput) for a texture without texels and Error
+// (failed) when out of memory.
+MaterialTextures uploadTextures(const gl::Api& api, const Scene& scene);
 
 // The sky's image with mipmaps, rows from the top; 1 x 1 black if the sky is a gradient. A larger image than the
 // device takes is halved until it fits.

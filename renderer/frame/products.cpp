@@ -3,11 +3,12 @@
 namespace halfsilver {
 
 std::size_t GpuScene::geometryBytes() const {
-  return positions.bytes() + attributes.bytes() + triangles.bytes() + materials.bytes() + drawList.bytes();
+  return positions.bytes() + attributes.bytes() + triangles.bytes() + materials.bytes() + drawList.bytes() +
+         indices.bytes();
 }
 
 std::size_t GpuScene::textureBytes() const {
-  std::size_t sum = sky.bytes();
+  std::size_t sum = sky.bytes() + alphas.bytes();
   for (const gl::Texture& texture : textures) sum += texture.bytes();
   return sum;
 }
@@ -21,13 +22,14 @@ void GpuScene::bindSurfaces() const {
   bindTriangles();
   attributes.bindStorage(SSBO_ATTRIBUTES);
   materials.bindStorage(SSBO_MATERIALS);
+  alphas.bind(UNIT_ALPHA);
   // Units without a bucket of their own are never read, but must hold a texture of the right kind.
   for (std::size_t bucket = 0; bucket < TEXTURE_BUCKETS; ++bucket)
     textures[bucket < textures.size() ? bucket : 0].bind(static_cast<GLuint>(UNIT_MATERIAL_TEXTURES + bucket));
 }
 
 void ShadowMaps::bind() const {
-  lights.bindStorage(SSBO_LIGHTS);
+  lights.bind(UNIT_LIGHTS);
   maps.bind(UNIT_SHADOW_MAPS);
 }
 

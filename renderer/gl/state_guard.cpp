@@ -46,7 +46,7 @@ struct SavedState {
   std::vector<Viewport> viewports;
   std::vector<DrawBuffer> drawBuffers;
   GLint activeTexture = GL_TEXTURE0;
-  std::array<Unit, 16> units;
+  std::array<Unit, 18> units;
   std::array<Image, 8> images;
   std::array<Range, 16> storageBuffers;
   GLuint storageBuffer = 0, uniformBuffer = 0;  // the bindings without an index

@@ -34,14 +34,14 @@ GBuffer allocate(const gl::Api& api, int width, int height) {
 GBufferPass::GBufferPass(const gl::Api& api)
     : api_(&api),
       opaque_(gl::Program::raster(api, "passes/visibility.vert", "passes/visibility.frag")),
-      resolve_(gl::Program::compute(api, "passes/gbuffer.comp")),
+      resolve_(api, "passes/gbuffer.comp"),
       framebuffer_(api),
       vertexArray_(api) {
   const gl::Define cut[] = {{"ALPHA_TEST"}};
   cut_ = gl::Program::raster(api, "passes/visibility.vert", "passes/visibility.frag", cut);
 }
 
-void GBufferPass::run(const FrameView& view, GBuffer& out) const {
+void GBufferPass::run(const FrameView& view, GBuffer& out) {
   const auto width = static_cast<int>(view.frame.width), height = static_cast<int>(view.frame.height);
   if (out.width != width || out.height != height) {
     out = GBuffer{};  // the old memory goes before the new comes
@@ -80,9 +80,9 @@ void GBufferPass::rasterize(const FrameView& view, const GBuffer& out) const {
   }
 }
 
-void GBufferPass::resolve(const FrameView& view, const GBuffer& out) const {
+void GBufferPass::resolve(const FrameView& view, const GBuffer& out) {
   const gl::Api& gl = *api_;
-  resolve_.use();
+  resolve_.of(view.scene).use();
   view.constants.bindUniform(UBO_FRAME);
   view.scene.bindSurfaces();
   out.visibility.bind(UNIT_VISIBILITY);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <halfsilver/frame_view.h>
+#include "frame/surface_programs.h"
 #include "gl/framebuffer.h"
 #include "gl/program.h"
 
@@ -14,14 +15,15 @@ class GBufferPass {
   explicit GBufferPass(const gl::Api& api);
 
   // Section "gbuffer". Allocates `out` if its size is not the frame's.
-  void run(const FrameView& view, GBuffer& out) const;
+  void run(const FrameView& view, GBuffer& out);
 
  private:
   void rasterize(const FrameView& view, const GBuffer& out) const;
-  void resolve(const FrameView& view, const GBuffer& out) const;
+  void resolve(const FrameView& view, const GBuffer& out);
 
   const gl::Api* api_;
-  gl::Program opaque_, cut_, resolve_;
+  gl::Program opaque_, cut_;
+  SurfacePrograms resolve_;
   gl::Framebuffer framebuffer_;
   gl::EmptyVertexArray vertexArray_;
 };

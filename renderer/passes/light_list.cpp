@@ -138,14 +138,13 @@ void addView(LightList& list, shared::GpuLight& light, int matrix, const Fit& fi
   list.views.push_back({layer, rectangle, fit.worldToClip});
   light.shadow[matrix] = clipToMap(rectangle, resolution) * fit.worldToClip;
   light.shadowTexel = fit.texel;
-  if (matrix == 0) light.shadowLayer = layer;
-  light.shadowLayers = static_cast<std::uint32_t>(matrix + 1);
+  if (matrix == 0) light.shadowLayer = static_cast<float>(layer);
+  light.shadowLayers = static_cast<float>(matrix + 1);
 }
 
-shared::GpuLight makeLight(vec3 direction, unsigned type, const vec3& color) {
+shared::GpuLight makeLight(vec3 direction, const vec3& color) {
   shared::GpuLight light{};
   light.direction = direction;
-  light.type = type;
   light.color = color;
   light.shadowLayer = NO_SHADOW;
   return light;
@@ -154,10 +153,11 @@ shared::GpuLight makeLight(vec3 direction, unsigned type, const vec3& color) {
 void addLight(LightList& list, const Bounds& bounds, const Light& source, bool shadowed, int resolution) {
   const float length = glm::length(source.direction);
   const vec3 direction = length > 0 ? source.direction / length : vec3(0, -1, 0);
-  const unsigned type = source.type == LightType::directional ? LIGHT_DIRECTIONAL
-                        : source.type == LightType::point     ? LIGHT_POINT
-                                                              : LIGHT_SPOT;
-  shared::GpuLight light = makeLight(direction, type, source.color * source.intensity);
+  const int type = source.type == LightType::directional ? LIGHT_DIRECTIONAL
+                   : source.type == LightType::point     ? LIGHT_POINT
+                                                         : LIGHT_SPOT;
+  shared::GpuLight light = makeLight(direction, source.color * source.intensity);
+  light.type = static_cast<float>(type);
   light.position = source.position;
   light.range = source.range;
   if (source.type == LightType::spot) {
@@ -198,7 +198,7 @@ void addSky(LightList& list, const Bounds& bounds, const SkyLight& sky, const Sh
   int tile = 0;
   const int perSide = resolution / shares.tile;
   for (const SkyDirection& direction : sky.directions) {
-    shared::GpuLight light = makeLight(-direction.direction, LIGHT_SKY, direction.irradiance);
+    shared::GpuLight light = makeLight(-direction.direction, direction.irradiance);
     const int inLayer = tile % shares.tilesPerLayer;
     const glm::ivec4 rectangle(inLayer % perSide * shares.tile, inLayer / perSide * shares.tile, shares.tile,
                                shares.tile);
@@ -231,9 +231,10 @@ vec3 meanIrradiance(const Bounds& bounds, std::span<const Light> lights) {
 
 void addHemisphere(LightList& list, const vec3& from, const vec3& irradiance, float steady) {
   if (irradiance == vec3(0)) return;
-  shared::GpuLight light = makeLight(-from, LIGHT_SKY, irradiance);
+  shared::GpuLight light = makeLight(-from, irradiance);
   light.steadyShare = steady;
   list.lights.push_back(light);
+  ++list.ranges.hemispheres;
 }
 
 }  // namespace
@@ -245,9 +246,11 @@ LightList makeLightList(const Bounds& sceneBounds, std::span<const Light> lights
   const Shares shares = share(lights, limits, list.warnings);
   for (std::size_t i = 0; i < lights.size(); ++i)
     addLight(list, bounds, lights[i], i < shares.shadowed, limits.resolution);
+  list.ranges.direct = static_cast<std::uint32_t>(lights.size());
 
   const SkyLight skyLight = integrateSky(sky, shares.directions);
   addSky(list, bounds, skyLight, shares, limits.resolution);
+  list.ranges.skyDirections = static_cast<std::uint32_t>(skyLight.directions.size());
   const vec3 up(0, 1, 0);
   if (shares.directions == 0) addHemisphere(list, up, skyLight.upper, 1);
   // Light that other surfaces send on: most of it from below, a third as much from above. A black sky asks for direct

@@ -6,21 +6,16 @@
 #include <vector>
 
 #include <halfsilver/bounds.h>
+#include <halfsilver/products.h>
 #include <halfsilver/scene.h>
 #include <halfsilver/shared_structs.h>
 
 namespace halfsilver {
 
-// One drawing of the scene into the shadow maps.
-struct ShadowView {
-  int layer = 0;
-  glm::ivec4 rectangle{0};  // x, y, width, height in texels of the layer
-  glm::mat4 worldToClip{1};
-};
-
 // Everything that shaders know of light, and what has to be drawn for it.
 struct LightList {
-  std::vector<shared::GpuLight> lights;
+  std::vector<shared::GpuLight> lights;  // range after range
+  LightRanges ranges;
   std::vector<ShadowView> views;
   int layers = 0;
   std::vector<std::string> warnings;

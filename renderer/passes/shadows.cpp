@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 
 #include "gl/draw_state.h"
 #include "passes/light_list.h"
+#include "passes/view_culling.h"
 #include "shared/passes/shadow.h"
 
 namespace halfsilver {
@@ -34,13 +36,22 @@ gl::Texture makeMaps(const gl::Api& api, int resolution, int layers) {
   return maps;
 }
 
+bool mustDraw(const ShadowView& view, std::size_t number, const ShadowChange& change,
+              std::span<const ShadowView> drawn) {
+  if (change.everything || number >= drawn.size() || drawn[number] != view) return true;
+  const Frustum frustum(view.worldToClip);
+  return std::any_of(change.moved.begin(), change.moved.end(),
+                     [&](const Bounds& bounds) { return frustum.mayTouch(bounds); });
+}
+
 }  // namespace
 
 ShadowPass::ShadowPass(const gl::Api& api)
     : api_(&api), opaque_(makeProgram(api, false)), cut_(makeProgram(api, true)), vertexArray_(api) {}
 
 std::vector<std::string> ShadowPass::run(const GpuScene& scene, std::span<const Light> lights, const Sky& sky,
-                                         const Settings& settings, ShadowMaps& out, gl::Profiler& profiler) const {
+                                         const Settings& settings, const ShadowChange& change, ShadowMaps& out,
+                                         gl::Profiler& profiler) const {
   const auto section = profiler.section("shadow");
   LightListLimits limits;
   limits.resolution = std::min<int>(settings.shadow.resolution, api_->limits.framebufferSize);
@@ -53,8 +64,9 @@ std::vector<std::string> ShadowPass::run(const GpuScene& scene, std::span<const 
     list.warnings.push_back("shadow maps: the device draws at most " + std::to_string(limits.resolution) +
                             " texels along a side");
 
-  out.lights = gl::makeBuffer<shared::GpuLight>(*api_, list.lights, "lights");
-  out.lightCount = static_cast<std::uint32_t>(list.lights.size());
+  out.lights = gl::makeTexelBuffer<shared::GpuLight>(*api_, list.lights, "lights");
+  out.ranges = list.ranges;
+  std::vector<ShadowView> drawn = std::exchange(out.views, {});  // until all are drawn, the maps hold none
   // Something must be bound, even if nothing casts a shadow.
   const int resolution = list.layers > 0 ? limits.resolution : 1;
   const int layers = std::max(list.layers, 1);
@@ -62,36 +74,61 @@ std::vector<std::string> ShadowPass::run(const GpuScene& scene, std::span<const 
   if (!out.maps || shape.width != resolution || shape.depth != layers) {
     out.maps = {};
     out.maps = makeMaps(*api_, resolution, layers);
+    drawn.clear();
   }
 
   const gl::Framebuffer framebuffer(*api_);
-  gl::DrawState state{
-      .viewport = {0, 0, resolution, resolution}, .depthTest = true, .depthWrite = true, .colorWrite = false};
-  state.apply(*api_);
-  for (int layer = 0; layer < layers; ++layer) {
-    framebuffer.attachLayer(GL_DEPTH_ATTACHMENT, out.maps, layer);
-    const float farthest = 1;
-    api_->ClearNamedFramebufferfv(framebuffer.name(), GL_DEPTH, 0, &farthest);
-  }
-  framebuffer.bind();
-  vertexArray_.bind();
-  scene.bindSurfaces();
-  scene.drawList.bindStorage(SSBO_DRAW_LIST);
-  for (const bool cut : {false, true}) {
-    const gl::Program& program = cut ? cut_ : opaque_;
-    program.use();
-    for (const ShadowView& view : list.views) {
-      framebuffer.attachLayer(GL_DEPTH_ATTACHMENT, out.maps, view.layer);
-      state.viewport = view.rectangle;
-      state.apply(*api_);
-      program.set("worldToClip", view.worldToClip);
-      for (const DrawRange& range : scene.drawRanges)
-        if (range.cut == cut && range.count > 0)
-          api_->DrawArrays(GL_TRIANGLES, static_cast<GLint>(3 * range.first), static_cast<GLsizei>(3 * range.count));
-    }
-  }
+  out.viewsDrawn = out.trianglesDrawn = 0;
+  for (std::size_t i = 0; i < list.views.size(); ++i)
+    if (mustDraw(list.views[i], i, change, drawn)) draw(scene, list.views[i], framebuffer, out);
+  out.views = std::move(list.views);
   // The maps (depth) are fetched by shading; GL orders rendering before later fetches.
   return list.warnings;
+}
+
+void ShadowPass::draw(const GpuScene& scene, const ShadowView& view, const gl::Framebuffer& framebuffer,
+                      ShadowMaps& out) const {
+  framebuffer.attachLayer(GL_DEPTH_ATTACHMENT, out.maps, view.layer);
+  framebuffer.bind();
+  vertexArray_.bind();
+  const gl::DrawState state{.viewport = view.rectangle, .depthTest = true, .depthWrite = true, .colorWrite = false};
+  state.apply(*api_);
+  // Other views share the layer.
+  api_->Enable(GL_SCISSOR_TEST);
+  api_->Scissor(view.rectangle.x, view.rectangle.y, view.rectangle.z, view.rectangle.w);
+  const float farthest = 1;
+  api_->ClearNamedFramebufferfv(framebuffer.name(), GL_DEPTH, 0, &farthest);
+  api_->Disable(GL_SCISSOR_TEST);
+  drawOpaque(scene, view, out);
+  drawCut(scene, view, out);
+  ++out.viewsDrawn;
+}
+
+// Vertices that triangles share are transformed once.
+void ShadowPass::drawOpaque(const GpuScene& scene, const ShadowView& view, ShadowMaps& out) const {
+  const VertexRuns runs = visibleRuns(scene.clusters.all(), Frustum(view.worldToClip), false);
+  if (runs.firsts.empty()) return;
+  std::vector<const void*> offsets;  // into the bound indices, as GL wants them
+  for (const std::int32_t first : runs.firsts)
+    offsets.push_back(reinterpret_cast<const void*>(sizeof(GLuint) * static_cast<std::size_t>(first)));
+  opaque_.use();
+  opaque_.set("worldToClip", view.worldToClip);
+  scene.bindTriangles();
+  api_->BindBuffer(GL_ELEMENT_ARRAY_BUFFER, scene.indices.name());
+  api_->MultiDrawElements(GL_TRIANGLES, runs.counts.data(), GL_UNSIGNED_INT, offsets.data(),
+                          static_cast<GLsizei>(runs.counts.size()));
+  out.trianglesDrawn += runs.triangles;
+}
+
+void ShadowPass::drawCut(const GpuScene& scene, const ShadowView& view, ShadowMaps& out) const {
+  const VertexRuns runs = visibleRuns(scene.clusters.all(), Frustum(view.worldToClip), true);
+  if (runs.firsts.empty()) return;
+  cut_.use();
+  cut_.set("worldToClip", view.worldToClip);
+  scene.bindSurfaces();
+  scene.drawList.bindStorage(SSBO_DRAW_LIST);
+  api_->MultiDrawArrays(GL_TRIANGLES, runs.firsts.data(), runs.counts.data(), static_cast<GLsizei>(runs.counts.size()));
+  out.trianglesDrawn += runs.triangles;
 }
 
 }  // namespace halfsilver

@@ -13,22 +13,33 @@
 
 namespace halfsilver {
 
-// Draws the shadow maps of all lights and of the sky's directions, section "shadow". It keeps nothing about what has
-// changed: call it when scene, lights, sky or the shadow settings have.
+// What happened to the scene since the maps were drawn.
+struct ShadowChange {
+  bool everything = true;     // any triangle may cast another shadow
+  std::vector<Bounds> moved;  // boxes that triangles have left or come into
+};
+
+// Draws the shadow maps of all lights and of the sky's directions, section "shadow".
 //
 // One depth array with hardware comparison holds all maps (see light_list.h for who gets which part). Both faces of
 // all triangles cast shadows, whatever the camera may see; shaders compare against the receiver's plane
-// (lib/lights.glsl), so the maps need no depth offset.
+// (lib/shadow_maps.glsl), so the maps need no depth offset. A view draws only clusters of triangles that it may see,
+// and is drawn again only if it is another one or something moved in it.
 class ShadowPass {
  public:
   explicit ShadowPass(const gl::Api& api);
 
-  // Replaces `out`. Returns warnings, one line each: lights or directions of the sky
-  // for which there was no room, or a resolution beyond the device.
+  // Brings `out` up to date with scene, lights, sky and the shadow settings. Returns warnings, one line each: lights or
+  // directions of the sky for which there was no room, or a resolution beyond the device.
   std::vector<std::string> run(const GpuScene& scene, std::span<const Light> lights, const Sky& sky,
-                               const Settings& settings, ShadowMaps& out, gl::Profiler& profiler) const;
+                               const Settings& settings, const ShadowChange& change, ShadowMaps& out,
+                               gl::Profiler& profiler) const;
 
  private:
+  void draw(const GpuScene& scene, const ShadowView& view, const gl::Framebuffer& framebuffer, ShadowMaps& out) const;
+  void drawOpaque(const GpuScene& scene, const ShadowView& view, ShadowMaps& out) const;
+  void drawCut(const GpuScene& scene, const ShadowView& view, ShadowMaps& out) const;
+
   const gl::Api* api_;
   gl::Program opaque_, cut_;
   gl::EmptyVertexArray vertexArray_;

@@ -74,13 +74,16 @@ std::vector<Patch> patches(const Sky& sky) {
   return all;
 }
 
-// Points of the upper half of the unit sphere with equal areas around them (a Fibonacci spiral).
+// Points of the upper half of the unit sphere (a Fibonacci spiral) that light a plane which faces up with equal parts
+// of an even sky: most surfaces that see much of it face up, and for them equal areas of sky would make small change of
+// the horizon. The turn is the one that errs least in scenes whose walls lie along the axes.
 std::vector<vec3> spread(int count) {
-  const double goldenAngle = kPi * (3 - std::sqrt(5.0));
+  const double goldenAngle = kPi * (3 - std::sqrt(5.0)), turn = 0.75 * kPi;
   std::vector<vec3> points;
   for (int i = 0; i < count; ++i) {
-    const double up = 1 - (i + 0.5) / count, around = std::sqrt(1 - up * up);
-    points.emplace_back(around * std::cos(goldenAngle * i), up, around * std::sin(goldenAngle * i));
+    const double around = std::sqrt((i + 0.5) / count), up = std::sqrt(1 - around * around);
+    const double angle = turn + goldenAngle * i;
+    points.emplace_back(around * std::cos(angle), up, around * std::sin(angle));
   }
   return points;
 }

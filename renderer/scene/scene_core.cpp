@@ -6,6 +6,8 @@
 #include <numeric>
 #include <queue>
 
+#include "scene/vertex_ranges.h"
+
 namespace halfsilver {
 namespace {
 
@@ -42,20 +44,6 @@ std::span<const Triangle> trianglesOf(const Scene& scene, std::size_t block) {
 
 }  // namespace
 
-std::vector<VertexRange> mergeRanges(std::span<const VertexRange> ranges) {
-  std::vector<VertexRange> sorted(ranges.begin(), ranges.end());
-  std::erase_if(sorted, [](const VertexRange& range) { return range.count == 0; });
-  std::sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-  std::vector<VertexRange> merged;
-  for (const VertexRange& range : sorted) {
-    if (merged.empty() || range.first > merged.back().first + merged.back().count)
-      merged.push_back(range);
-    else
-      merged.back().count = std::max(merged.back().count, range.first + range.count - merged.back().first);
-  }
-  return merged;
-}
-
 SceneExtents::SceneExtents(const Scene& scene)
     : blocks_((scene.triangles.size() + kBlockTriangles - 1) / kBlockTriangles) {
   for (std::size_t block = 0; block < blocks_.size(); ++block) {
@@ -75,10 +63,7 @@ std::vector<std::uint32_t> SceneExtents::blocksUsing(std::span<const VertexRange
   std::vector<std::uint32_t> blocks;
   for (std::size_t block = 0; block < blocks_.size(); ++block) {
     const Block& b = blocks_[block];
-    const auto range = std::partition_point(merged.begin(), merged.end(), [&](const VertexRange& each) {
-      return each.first + each.count <= b.firstVertex;
-    });
-    if (range != merged.end() && range->first <= b.lastVertex) blocks.push_back(static_cast<std::uint32_t>(block));
+    if (touchesRange(merged, b.firstVertex, b.lastVertex)) blocks.push_back(static_cast<std::uint32_t>(block));
   }
   return blocks;
 }

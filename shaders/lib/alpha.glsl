@@ -1,55 +1,65 @@
 // The alpha test, one rule for all raster passes and rays: level 0, bilinear by hand (or nearest), as in
 // renderer/scene/alpha.cpp, which gives the same answer to the bit.
-#include "lib/textures.glsl"
+#include "lib/texture_use.glsl"
 #include "shared/alpha_math.h"
 
-// The four texels' alpha, 0..255: (x0, y0), (x1, y0), (x0, y1), (x1, y1).
-#define FETCH_ALPHA(bucket)                                              \
-  vec4(texelFetch(materialTextures[bucket], ivec3(x.x, y.x, layer), 0).a, \
-       texelFetch(materialTextures[bucket], ivec3(x.y, y.x, layer), 0).a, \
-       texelFetch(materialTextures[bucket], ivec3(x.x, y.y, layer), 0).a, \
-       texelFetch(materialTextures[bucket], ivec3(x.y, y.y, layer), 0).a)
-vec4 fetchAlpha(uint bucket, ivec2 x, ivec2 y, int layer) {
-  vec4 texels;
-  switch (bucket) {
-    case 0u: texels = FETCH_ALPHA(0); break;
-    case 1u: texels = FETCH_ALPHA(1); break;
-    case 2u: texels = FETCH_ALPHA(2); break;
-    case 3u: texels = FETCH_ALPHA(3); break;
-    case 4u: texels = FETCH_ALPHA(4); break;
-    case 5u: texels = FETCH_ALPHA(5); break;
-    case 6u: texels = FETCH_ALPHA(6); break;
-    default: texels = FETCH_ALPHA(7); break;
-  }
-  return floor(texels * 255.0 + 0.5);
+layout(binding = UNIT_ALPHA) uniform usamplerBuffer alphaTexels;
+
+// The four texels' alpha, 0..255: (x0, y0), (x1, y0), (x0, y1), (x1, y1). `first`: of the texture.
+vec4 fetchAlpha(int first, int width, ivec2 x, ivec2 y) {
+  ivec2 rows = first + width * y;
+  return vec4(texelFetch(alphaTexels, rows.x + x.x).r, texelFetch(alphaTexels, rows.x + x.y).r,
+              texelFetch(alphaTexels, rows.y + x.x).r, texelFetch(alphaTexels, rows.y + x.y).r);
 }
 
-// Whether the surface has a hole at this point.
+// What the test of one triangle needs, at every point of it.
+struct CutTriangle {
+  vec2 uvA;  // of the texture, before its transform
+  vec2 uvB;
+  vec2 uvC;
+  vec3 vertexAlpha;
+  vec3 transformU;
+  vec3 transformV;
+  uvec4 texture;  // sampling, first texel, width, height; width 0: none
+  vec2 limits;    // the factor's alpha, the cutoff
+};
+
+CutTriangle cutTriangle(uvec4 corners) {
+  CutTriangle cut;
+  GpuTexture use = materials[corners.w].textures[TEXTURE_BASE_COLOR];
+  bool second = (use.sampling & SAMPLING_UV_SET) != 0u;
+  cut.uvA = second ? attributes[corners.x].uv1 : attributes[corners.x].uv0;
+  cut.uvB = second ? attributes[corners.y].uv1 : attributes[corners.y].uv0;
+  cut.uvC = second ? attributes[corners.z].uv1 : attributes[corners.z].uv0;
+  cut.vertexAlpha = vec3(attributes[corners.x].color.a, attributes[corners.y].color.a, attributes[corners.z].color.a);
+  cut.transformU = vec3(use.transform[0], use.transform[1], use.transform[2]);
+  cut.transformV = vec3(use.transform[3], use.transform[4], use.transform[5]);
+  cut.texture = uvec4(use.sampling, materials[corners.w].alphaFirst, materials[corners.w].alphaWidth,
+                      materials[corners.w].alphaHeight);
+  bool blend = (materials[corners.w].flags & MATERIAL_BLEND) != 0u;
+  cut.limits = vec2(blend ? 1.0 : materials[corners.w].baseColor.a, materials[corners.w].alphaCutoff);
+  return cut;
+}
+
+// Whether the triangle has a hole at this point.
+bool cutAway(CutTriangle cut, vec2 barycentrics) {
+  float u = alphaInterpolate(cut.uvA.x, cut.uvB.x, cut.uvC.x, barycentrics.x, barycentrics.y);
+  float v = alphaInterpolate(cut.uvA.y, cut.uvB.y, cut.uvC.y, barycentrics.x, barycentrics.y);
+  uint sampling = cut.texture.x;
+  ivec2 size = ivec2(cut.texture.zw);
+  bool nearest = (sampling & SAMPLING_MAGNIFY_NEAREST) != 0u;
+  AlphaAxis x = alphaAxis(alphaTransform(cut.transformU.x, cut.transformU.y, cut.transformU.z, u, v), size.x,
+                          sampling & 3u, nearest);
+  AlphaAxis y = alphaAxis(alphaTransform(cut.transformV.x, cut.transformV.y, cut.transformV.z, u, v), size.y,
+                          (sampling >> 2) & 3u, nearest);
+  vec4 texels = fetchAlpha(int(cut.texture.y), size.x, ivec2(x.first, x.second), ivec2(y.first, y.second));
+  float texel = size.x == 0 ? 1.0 : alphaBlend(texels.x, texels.y, texels.z, texels.w, x.weight, y.weight);
+  float vertexAlpha =
+      alphaInterpolate(cut.vertexAlpha.x, cut.vertexAlpha.y, cut.vertexAlpha.z, barycentrics.x, barycentrics.y);
+  return alphaBelow(texel, vertexAlpha, cut.limits.x, cut.limits.y);
+}
+
 bool cutAway(uint triangle, vec2 barycentrics) {
   uvec4 corners = triangles[triangle];
-  uint flags = materials[corners.w].flags;
-  if ((flags & MATERIAL_CUT) == 0u) return false;
-  float vertexAlpha = alphaInterpolate(attributes[corners.x].color.a, attributes[corners.y].color.a,
-                                       attributes[corners.z].color.a, barycentrics.x, barycentrics.y);
-  float texel = 1.0;
-  GpuTexture use = materials[corners.w].textures[TEXTURE_BASE_COLOR];
-  if (hasTexture(use)) {
-    bool second = (use.sampling & SAMPLING_UV_SET) != 0u;
-    vec2 a = second ? attributes[corners.x].uv1 : attributes[corners.x].uv0;
-    vec2 b = second ? attributes[corners.y].uv1 : attributes[corners.y].uv0;
-    vec2 c = second ? attributes[corners.z].uv1 : attributes[corners.z].uv0;
-    float u = alphaInterpolate(a.x, b.x, c.x, barycentrics.x, barycentrics.y);
-    float v = alphaInterpolate(a.y, b.y, c.y, barycentrics.x, barycentrics.y);
-    ivec2 size = textureExtent(use);
-    bool nearest = (use.sampling & SAMPLING_MAGNIFY_NEAREST) != 0u;
-    AlphaAxis x = alphaAxis(alphaTransform(use.transform[0], use.transform[1], use.transform[2], u, v), size.x,
-                            use.sampling & 3u, nearest);
-    AlphaAxis y = alphaAxis(alphaTransform(use.transform[3], use.transform[4], use.transform[5], u, v), size.y,
-                            (use.sampling >> 2) & 3u, nearest);
-    vec4 texels = fetchAlpha(use.location >> 16, ivec2(x.first, x.second), ivec2(y.first, y.second),
-                             int(use.location & 0xffffu));
-    texel = alphaBlend(texels.x, texels.y, texels.z, texels.w, x.weight, y.weight);
-  }
-  float factor = (flags & MATERIAL_BLEND) != 0u ? 1.0 : materials[corners.w].baseColor.a;
-  return alphaBelow(texel, vertexAlpha, factor, materials[corners.w].alphaCutoff);
+  return (materials[corners.w].flags & MATERIAL_CUT) != 0u && cutAway(cutTriangle(corners), barycentrics);
 }

@@ -1,150 +1,143 @@
 // All light that reaches a surface without a traced reflection. Deferred pixels and traced hits share it.
-#include "lib/brdf.glsl"
-
-layout(std430, binding = SSBO_LIGHTS) readonly buffer LightBlock { GpuLight lights[]; };
-layout(binding = UNIT_SHADOW_MAPS) uniform sampler2DArrayShadow shadowMaps;
-
-// Share of light at a place of the shadow maps: hardware's bilinear comparison filtered with [1 2 1] / 4 each way.
-// In texels around the place (fraction s) the weights are 1-s, 2-s, 1+s, s: two bilinear taps each way.
-// `gradient`: change of the receiver's depth per texel.
-float filteredShadow(vec3 place, float layer, vec2 gradient) {
-  vec2 size = vec2(textureSize(shadowMaps, 0).xy);
-  vec2 texel = place.xy * size - 0.5;
-  vec2 base = floor(texel);
-  vec2 s = texel - base;
-  vec2 lowWeight = 3.0 - 2.0 * s;
-  vec2 highWeight = 1.0 + 2.0 * s;
-  vec2 low = base - 1.0 + (2.0 - s) / lowWeight;
-  vec2 high = base + 1.0 + s / highWeight;
-
-  // A bilinear comparison uses one depth for texels up to one texel away.
-  float depth = place.z - abs(gradient.x) - abs(gradient.y) - 2e-5;
-  vec2 lowDepth = gradient * (low - texel);
-  vec2 highDepth = gradient * (high - texel);
-  vec2 lowPlace = (low + 0.5) / size;
-  vec2 highPlace = (high + 0.5) / size;
-  float lit = 0.0;
-  lit += lowWeight.x * lowWeight.y * texture(shadowMaps, vec4(lowPlace, layer, depth + lowDepth.x + lowDepth.y));
-  lit += highWeight.x * lowWeight.y *
-         texture(shadowMaps, vec4(highPlace.x, lowPlace.y, layer, depth + highDepth.x + lowDepth.y));
-  lit += lowWeight.x * highWeight.y *
-         texture(shadowMaps, vec4(lowPlace.x, highPlace.y, layer, depth + lowDepth.x + highDepth.y));
-  lit += highWeight.x * highWeight.y * texture(shadowMaps, vec4(highPlace, layer, depth + highDepth.x + highDepth.y));
-  return lit / 16.0;
-}
-
-// Both take the light's first shadow layer, or NO_SHADOW.
 //
-// Orthographic maps: each tap is compared with the receiver's plane, so a flat surface never shadows itself and
-// nothing has to be moved.
-float directionalShadow(uint light, int layer, vec3 position, vec3 normal) {
-  if (layer < 0) return 1.0;
-  mat4 m = lights[light].shadow[0];
-  vec3 place = (m * vec4(position, 1.0)).xyz;
-  vec3 u = vec3(m[0].x, m[1].x, m[2].x);
-  vec3 v = vec3(m[0].y, m[1].y, m[2].y);
-  vec3 w = vec3(m[0].z, m[1].z, m[2].z);
-  // Depth falls along the normal; at grazing angles the plane is cut short, there is no light to lose there.
-  float towards = max(-dot(normal, w) / dot(w, w), 1e-3 * inversesqrt(dot(w, w)));
-  vec2 slope = vec2(dot(normal, u) / dot(u, u), dot(normal, v) / dot(v, v)) / towards;
-  return filteredShadow(place, float(layer), slope / vec2(textureSize(shadowMaps, 0).xy));
-}
+// A kind of light is a range of the list with a loop of its own: first what a light can do at most is found for all of
+// the range, then those that can light the surface are worked off, so that neighbors with few of them are done early.
+#include "lib/brdf.glsl"
+#include "lib/shadow_maps.glsl"
 
-// Perspective maps: the receiver is moved along its normal by as much as the filter's reach can rise above its plane.
-float positionalShadow(uint light, int layer, vec3 position, vec3 normal, vec3 toLight, float distanceToLight) {
-  if (layer < 0) return 1.0;
-  float cosine = dot(normal, toLight);
-  float reach = 2.5 * lights[light].shadowTexel * distanceToLight;
-  vec3 moved = position + normal * (reach * sqrt(max(1.0 - cosine * cosine, 0.0))) + toLight * (0.1 * reach);
-  int face = 0;
-  if (lights[light].shadowLayers > 1u) {
-    vec3 away = moved - lights[light].position;
-    vec3 size = abs(away);
-    if (size.x >= size.y && size.x >= size.z)
-      face = away.x > 0.0 ? 0 : 1;
-    else if (size.y >= size.z)
-      face = away.y > 0.0 ? 2 : 3;
-    else
-      face = away.z > 0.0 ? 4 : 5;
-  }
-  vec4 place = lights[light].shadow[face] * vec4(moved, 1.0);
-  if (place.w <= 0.0) return 1.0;
-  return filteredShadow(place.xyz / place.w, float(layer + face), vec2(0.0));
+// Bits of a mask of lights.
+const uint LIGHTS_AT_ONCE = 32u;
+
+// Takes the lowest light out of a mask that is not empty.
+uint takeLight(inout uint pending) {
+  uint light = uint(findLSB(pending));
+  pending &= pending - 1u;
+  return light;
 }
 
 // Inverse square with a range window and the spot's cone (KHR_lights_punctual).
-float attenuation(uint light, vec3 toLight, float distanceToLight) {
-  float range = lights[light].range;
+float attenuation(vec4 directionType, vec4 shadow, float range, vec3 toLight, float distanceToLight) {
   float window = 1.0;
   if (range > 0.0) {
     float x = distanceToLight / range;
     window = clamp(1.0 - x * x * x * x, 0.0, 1.0);
   }
   float cone = 1.0;
-  if (lights[light].type == LIGHT_SPOT) {
-    float cosine = dot(lights[light].direction, -toLight);
-    cone = clamp(cosine * lights[light].coneScale + lights[light].coneOffset, 0.0, 1.0);
+  if (int(directionType.w) == LIGHT_SPOT) {
+    float cosine = dot(directionType.xyz, -toLight);
+    cone = clamp(cosine * shadow.x + shadow.y, 0.0, 1.0);
   }
   return window * cone * cone / max(distanceToLight * distanceToLight, 1e-8);
+}
+
+// Whether the surface lies in the light's range and faces it.
+bool mayLight(uint light, Surface s) {
+  vec4 positionRange = lightTexel(light, LIGHT_POSITION);
+  vec4 directionType = lightTexel(light, LIGHT_DIRECTION);
+  bool positional = int(directionType.w) != LIGHT_DIRECTIONAL;
+  vec3 toLight = positional ? positionRange.xyz - s.position : -directionType.xyz;
+  float range = positional ? positionRange.w : 0.0;
+  bool reaches = range <= 0.0 || dot(toLight, toLight) < range * range;
+  return reaches && dot(s.normal, toLight) > 0.0 && dot(s.geometricNormal, toLight) > 0.0;
+}
+
+// Radiance of a directional light, a point light or a spot. They share the look at the shadow map, which is most of it.
+vec3 directLight(uint light, Surface s, vec3 toEye) {
+  vec4 directionType = lightTexel(light, LIGHT_DIRECTION);
+  vec4 colorTexel = lightTexel(light, LIGHT_COLOR);
+  vec4 shadow = lightTexel(light, LIGHT_SHADOW);
+  bool positional = int(directionType.w) != LIGHT_DIRECTIONAL;
+  vec3 color = colorTexel.rgb;
+  vec3 toLight = -directionType.xyz;
+  vec3 receiver = s.position;
+  int face = 0;
+  if (positional) {
+    vec4 positionRange = lightTexel(light, LIGHT_POSITION);
+    toLight = positionRange.xyz - s.position;
+    float distanceToLight = length(toLight);
+    toLight /= max(distanceToLight, 1e-20);
+    color *= attenuation(directionType, shadow, positionRange.w, toLight, distanceToLight);
+    receiver = liftedReceiver(s.position, s.geometricNormal, toLight, distanceToLight, colorTexel.w);
+    if (shadow.w > 1.0) face = cubeFace(receiver - positionRange.xyz);
+  }
+  mat4 worldToMap = shadowMatrix(light, face);
+  vec4 place = worldToMap * vec4(receiver, 1.0);
+  vec2 gradient = positional ? vec2(0.0) : planeGradient(worldToMap, s.geometricNormal);
+  float lit = sharpShadow(place.xyz / place.w, shadow.z + float(face), gradient);
+  if (shadow.z < 0.0 || place.w <= 0.0) lit = 1.0;
+  return lit > 0.0 ? color * lit * shadeLight(s, toEye, toLight) : vec3(0.0);
+}
+
+vec3 directRadiance(Surface s, vec3 toEye) {
+  vec3 radiance = vec3(0.0);
+  for (uint first = 0u; first < frame.directLights; first += LIGHTS_AT_ONCE) {
+    uint count = min(frame.directLights - first, LIGHTS_AT_ONCE);
+    uint pending = 0u;
+    for (uint i = 0u; i < count; ++i)
+      if (mayLight(first + i, s)) pending |= 1u << i;
+    while (pending != 0u) radiance += directLight(first + takeLight(pending), s, toEye);
+  }
+  return radiance;
+}
+
+struct SkyPart {
+  vec3 irradiance;   // of the upper sky
+  float visibility;  // share of the sky's light that reaches the surface, 0..1
+};
+
+SkyPart skyPart(Surface s) {
+  uint first = frame.directLights;
+  float all = 0.0, facing = 0.0;
+  uint pending = 0u;  // there are at most LIGHTS_AT_ONCE directions
+  for (uint i = 0u; i < frame.skyDirections; ++i) {
+    vec3 direction = lightTexel(first + i, LIGHT_DIRECTION).xyz;
+    float weight = luminance(lightTexel(first + i, LIGHT_COLOR).rgb), nl = -dot(s.normal, direction);
+    all += weight;
+    facing += weight * max(nl, 0.0);
+    if (nl > 0.0 && dot(s.geometricNormal, direction) < 0.0) pending |= 1u << i;
+  }
+  vec3 irradiance = vec3(0.0);
+  float seen = 0.0;
+  while (pending != 0u) {
+    uint light = first + takeLight(pending);
+    vec3 color = lightTexel(light, LIGHT_COLOR).rgb;
+    float nl = -dot(s.normal, lightTexel(light, LIGHT_DIRECTION).xyz);
+    mat4 worldToMap = shadowMatrix(light, 0);
+    vec3 place = (worldToMap * vec4(s.position, 1.0)).xyz;
+    float lit = softShadow(place, lightTexel(light, LIGHT_SHADOW).z, planeGradient(worldToMap, s.geometricNormal));
+    seen += luminance(color) * nl * lit;
+    irradiance += color * (nl * lit);
+  }
+  // A surface that looks down faces no part of the sky: half open for want of knowledge.
+  float visibility = 1.0;
+  if (all > 0.0) visibility = mix(0.5, seen / max(facing, 1e-20), clamp(20.0 * facing / all, 0.0, 1.0));
+  return SkyPart(irradiance, visibility);
+}
+
+// Light that comes without shadows, dimmed where little of the sky is seen.
+vec3 bouncedIrradiance(vec3 normal, float visibility) {
+  uint first = frame.directLights + frame.skyDirections;
+  vec3 steady = vec3(0.0), open = vec3(0.0);
+  for (uint i = first; i < first + frame.hemispheres; ++i) {
+    vec3 irradiance = lightTexel(i, LIGHT_COLOR).rgb * (0.5 - 0.5 * dot(normal, lightTexel(i, LIGHT_DIRECTION).xyz));
+    float steadyShare = lightTexel(i, LIGHT_HEMISPHERE).x;
+    steady += irradiance * steadyShare;
+    open += irradiance * (1.0 - steadyShare);
+  }
+  return steady + open * visibility;
 }
 
 // rgb: radiance towards the eye; a: share of the sky's light that reaches the surface, 0..1.
 vec4 directLighting(Surface s, vec3 toEye) {
   if (s.unlit) return vec4(s.baseColor, 1.0);
-  vec3 radiance = s.emissive;
-  vec3 skyIrradiance = vec3(0.0);
-  vec3 steadyBounce = vec3(0.0);
-  vec3 openBounce = vec3(0.0);
-  float seen = 0.0, facing = 0.0, all = 0.0;
-
-  for (uint i = 0u; i < frame.lightCount; ++i) {
-    vec3 lightDirection = lights[i].direction;
-    uint type = lights[i].type;
-    vec3 color = lights[i].color;
-    int layer = lights[i].shadowLayer;
-    if (type == LIGHT_SKY) {
-      float nl = -dot(s.normal, lightDirection);
-      if (layer < 0) {
-        vec3 irradiance = color * (0.5 + 0.5 * nl);
-        steadyBounce += irradiance * lights[i].steadyShare;
-        openBounce += irradiance * (1.0 - lights[i].steadyShare);
-        continue;
-      }
-      float weight = luminance(color);
-      all += weight;
-      if (nl <= 0.0) continue;
-      facing += weight * nl;
-      if (dot(s.geometricNormal, lightDirection) >= 0.0) continue;
-      float lit = directionalShadow(i, layer, s.position, s.geometricNormal);
-      seen += weight * nl * lit;
-      skyIrradiance += color * (nl * lit);
-      continue;
-    }
-    vec3 toLight = -lightDirection;
-    float distanceToLight = 0.0;
-    if (type != LIGHT_DIRECTIONAL) {
-      toLight = lights[i].position - s.position;
-      distanceToLight = length(toLight);
-      toLight /= max(distanceToLight, 1e-20);
-      color *= attenuation(i, toLight, distanceToLight);
-    }
-    if (dot(s.normal, toLight) <= 0.0 || dot(s.geometricNormal, toLight) <= 0.0 || color == vec3(0.0)) continue;
-    float lit = type == LIGHT_DIRECTIONAL
-                    ? directionalShadow(i, layer, s.position, s.geometricNormal)
-                    : positionalShadow(i, layer, s.position, s.geometricNormal, toLight, distanceToLight);
-    if (lit > 0.0) radiance += color * lit * shadeLight(s, toEye, toLight);
-  }
-
-  // A surface that looks down faces no part of the sky: half open for want of knowledge.
-  float visibility = 1.0;
-  if (all > 0.0) visibility = mix(0.5, seen / max(facing, 1e-20), clamp(20.0 * facing / all, 0.0, 1.0));
-
-  vec3 bounce = steadyBounce + openBounce * visibility;
+  vec3 radiance = s.emissive + directRadiance(s, toEye);
+  SkyPart sky = skyPart(s);
+  vec3 bounce = bouncedIrradiance(s.normal, sky.visibility);
   float nv = dot(s.normal, toEye);
   vec3 reflected = skyShare(s.f0, s.roughness, nv);
-  vec3 diffuse = s.baseColor * (1.0 - s.metallic) * (1.0 - reflected) * (skyIrradiance + bounce);
+  vec3 diffuse = s.baseColor * (1.0 - s.metallic) * (1.0 - reflected) * (sky.irradiance + bounce);
   // Where the sky is hidden a rough surface reflects the bounced light instead (the blend adds the visible sky).
-  vec3 specular = reflected * bounce * (1.0 - visibility);
+  vec3 specular = reflected * bounce * (1.0 - sky.visibility);
   radiance += (diffuse + specular) * (s.occlusion / PI);
-  return vec4(radiance, visibility);
+  return vec4(radiance, sky.visibility);
 }

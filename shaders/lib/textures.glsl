@@ -1,42 +1,65 @@
 // Material textures: 2D arrays of equal size ("buckets"). Samplers repeat, filter linearly and use mipmaps; the other
 // wrap and filter modes of a use are made here from coordinates and gradients.
-#include "lib/scene.glsl"
+#include "lib/texture_use.glsl"
 
-layout(binding = UNIT_MATERIAL_TEXTURES) uniform sampler2DArray materialTextures[TEXTURE_BUCKETS];
-
-const uint SAMPLING_CLAMP = 2u;
-const uint SAMPLING_MIRROR = 1u;
-const uint SAMPLING_MAGNIFY_NEAREST = 16u;
-const uint SAMPLING_MINIFY_NEAREST = 32u;
-const uint SAMPLING_NO_MIPMAPS = 64u;
-const uint SAMPLING_UV_SET = 128u;
-
-bool hasTexture(GpuTexture use) { return use.location != NO_TEXTURE; }
+// The scene's buckets: a program is made for their number, since software rasterizers sample every case of a switch.
+#ifndef BUCKETS
+#define BUCKETS TEXTURE_BUCKETS
+#endif
+layout(binding = UNIT_MATERIAL_TEXTURES) uniform sampler2DArray materialTextures[BUCKETS];
 
 ivec2 textureExtent(GpuTexture use) {
   switch (use.location >> 16) {
+#if BUCKETS > 1
     case 0u: return textureSize(materialTextures[0], 0).xy;
+#endif
+#if BUCKETS > 2
     case 1u: return textureSize(materialTextures[1], 0).xy;
+#endif
+#if BUCKETS > 3
     case 2u: return textureSize(materialTextures[2], 0).xy;
+#endif
+#if BUCKETS > 4
     case 3u: return textureSize(materialTextures[3], 0).xy;
+#endif
+#if BUCKETS > 5
     case 4u: return textureSize(materialTextures[4], 0).xy;
+#endif
+#if BUCKETS > 6
     case 5u: return textureSize(materialTextures[5], 0).xy;
+#endif
+#if BUCKETS > 7
     case 6u: return textureSize(materialTextures[6], 0).xy;
-    default: return textureSize(materialTextures[7], 0).xy;
+#endif
+    default: return textureSize(materialTextures[BUCKETS - 1], 0).xy;
   }
 }
 
 // Sampler arrays take constant indices only, if the index differs between neighbors.
 vec4 sampleBucket(uint bucket, vec3 coordinates, vec2 ddx, vec2 ddy) {
   switch (bucket) {
+#if BUCKETS > 1
     case 0u: return textureGrad(materialTextures[0], coordinates, ddx, ddy);
+#endif
+#if BUCKETS > 2
     case 1u: return textureGrad(materialTextures[1], coordinates, ddx, ddy);
+#endif
+#if BUCKETS > 3
     case 2u: return textureGrad(materialTextures[2], coordinates, ddx, ddy);
+#endif
+#if BUCKETS > 4
     case 3u: return textureGrad(materialTextures[3], coordinates, ddx, ddy);
+#endif
+#if BUCKETS > 5
     case 4u: return textureGrad(materialTextures[4], coordinates, ddx, ddy);
+#endif
+#if BUCKETS > 6
     case 5u: return textureGrad(materialTextures[5], coordinates, ddx, ddy);
+#endif
+#if BUCKETS > 7
     case 6u: return textureGrad(materialTextures[6], coordinates, ddx, ddy);
-    default: return textureGrad(materialTextures[7], coordinates, ddx, ddy);
+#endif
+    default: return textureGrad(materialTextures[BUCKETS - 1], coordinates, ddx, ddy);
   }
 }
 

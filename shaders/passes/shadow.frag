@@ -3,10 +3,10 @@
 #include "lib/alpha.glsl"
 
 in vec2 barycentrics;
-flat in uint triangle;
+flat in CutTriangle cut;
 
 void main() {
-  if (cutAway(triangle, barycentrics)) discard;
+  if (cutAway(cut, barycentrics)) discard;
 }
 #else
 void main() {}

@@ -1,22 +1,28 @@
-// Triangles of the draw list as one view of the shadow maps sees them.
+// Triangles as one view of the shadow maps sees them: by index, or those with holes by number from the draw list.
 #include "lib/triangles.glsl"
 #include "shared/passes/shadow.h"
-
-layout(std430, binding = SSBO_DRAW_LIST) readonly buffer DrawListBlock { uint drawList[]; };
+#ifdef CUT
+#include "lib/alpha.glsl"
+#endif
 
 uniform mat4 worldToClip;
 
 #ifdef CUT
+layout(std430, binding = SSBO_DRAW_LIST) readonly buffer DrawListBlock { uint drawList[]; };
+
 out vec2 barycentrics;
-flat out uint triangle;
+// Of the whole triangle, fetched here once instead of at every texel.
+flat out CutTriangle cut;
+
+uint drawnVertex() {
+  uint corner = uint(gl_VertexID) % 3u;
+  barycentrics = vec2(corner == 1u, corner == 2u);
+  uvec4 corners = triangleAt(drawList[uint(gl_VertexID) / 3u]);
+  cut = cutTriangle(corners);
+  return corners[corner];
+}
+#else
+uint drawnVertex() { return uint(gl_VertexID); }
 #endif
 
-void main() {
-  uint corner = uint(gl_VertexID) % 3u;
-  uint number = drawList[uint(gl_VertexID) / 3u];
-#ifdef CUT
-  barycentrics = vec2(corner == 1u, corner == 2u);
-  triangle = number;
-#endif
-  gl_Position = worldToClip * vec4(vertexPosition(triangleAt(number)[corner]), 1.0);
-}
+void main() { gl_Position = worldToClip * vec4(vertexPosition(drawnVertex()), 1.0); }

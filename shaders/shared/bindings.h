@@ -11,7 +11,6 @@
 #define SSBO_ATTRIBUTES 1  // VertexAttributes[vertices]
 #define SSBO_TRIANGLES 2   // uvec4[triangles]: three vertices, material
 #define SSBO_MATERIALS 3   // GpuMaterial[materials]
-#define SSBO_LIGHTS 4      // GpuLight[lights]
 // A queue of rays and their hits.
 #define SSBO_RAYS 5       // Ray[], or uint[] of pixels, see RayCount::source
 #define SSBO_PATHS 6      // RayPath[], of stored rays
@@ -25,6 +24,8 @@
 #define UNIT_MATERIAL_TEXTURES 0
 #define UNIT_SHADOW_MAPS 8  // sampler2DArrayShadow
 #define UNIT_SKY 9          // sampler2D, equirectangular
+#define UNIT_LIGHTS 16      // samplerBuffer: GpuLight[lights] in texels
+#define UNIT_ALPHA 17       // usamplerBuffer: alpha of the textures that cut holes, a byte per texel
 // The G-buffer.
 #define UNIT_POSITION 10
 #define UNIT_NORMAL 11

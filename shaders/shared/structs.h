@@ -18,12 +18,10 @@
 // GpuTexture::sampling: bits 0..1 wrap u, 2..3 wrap v (0 repeat, 1 mirror, 2 clamp), 4 nearest magnification,
 // 5 nearest minification, 6 no mipmaps, 7 uv set.
 
-#define LIGHT_DIRECTIONAL 0u
-#define LIGHT_POINT 1u
-#define LIGHT_SPOT 2u
-// Lights the diffuse lobe only. With a shadow layer: a direction that stands for a part of the sky. Without: half the
-// sphere around the direction, evenly bright; all but `steadyShare` of it is scaled by the sky's visibility.
-#define LIGHT_SKY 3u
+// GpuLight::type of direct lights.
+#define LIGHT_DIRECTIONAL 0
+#define LIGHT_POINT 1
+#define LIGHT_SPOT 2
 #define NO_SHADOW -1
 
 struct VertexAttributes {
@@ -55,7 +53,11 @@ struct GpuMaterial {
   float dielectricF0;
   float mirror;
   uint flags;
-  uint padding;
+  uint padding0;
+  uint alphaFirst;  // MATERIAL_CUT: the base color texture's first byte in the alpha texels, and its size
+  uint alphaWidth;
+  uint alphaHeight;
+  uint padding1;
   GpuTexture textures[7];  // TEXTURE_BASE_COLOR ...
 };
 #define TEXTURE_BASE_COLOR 0
@@ -66,18 +68,23 @@ struct GpuMaterial {
 #define TEXTURE_SPECULAR 5
 #define TEXTURE_SPECULAR_COLOR 6
 
+// Lights lie in three ranges, each of one kind: direct ones (LIGHT_...), then directions that stand for a part of the sky
+// each, with shadows, then halves of the sphere, evenly bright around their direction, without; of these all but
+// `steadyShare` is scaled by the sky's visibility. The last two light the diffuse lobe only.
+//
+// Shaders fetch them as texels of floats (lib/light_list.glsl), so numbers are floats here.
 struct GpuLight {
   vec3 position;
   float range;  // meters; 0: unlimited
   vec3 direction;  // unit, the way the light travels
-  uint type;       // LIGHT_...
+  float type;      // LIGHT_...
   vec3 color;         // linear, times intensity
   float shadowTexel;  // width of a shadow texel, meters (point, spot: at distance 1)
   float coneScale;    // spot: angular falloff = clamp(cosine * scale + offset)
   float coneOffset;
-  int shadowLayer;    // the first, or NO_SHADOW
-  uint shadowLayers;
-  float steadyShare;  // LIGHT_SKY without a shadow layer, 0..1
+  float shadowLayer;  // the first, or NO_SHADOW
+  float shadowLayers;
+  float steadyShare;  // of a half of the sphere, 0..1
   float padding0;
   float padding1;
   float padding2;
@@ -115,7 +122,7 @@ struct FrameConstants {
   float exposure;  // factor
   uint width;      // pixels
   uint height;
-  uint lightCount;
+  uint directLights;  // the lights' ranges, see GpuLight
   uint cullBackFaces;
   float maxRoughness;
   float minReflectivity;
@@ -125,6 +132,10 @@ struct FrameConstants {
   uint selectPattern;  // 0 scattered, 1 region
   uint fill;           // FILL_...
   uint bounces;
+  uint skyDirections;
+  uint hemispheres;
+  uint padding0;
+  uint padding1;
 };
 
 #endif

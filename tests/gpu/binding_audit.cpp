@@ -213,6 +213,12 @@ struct BindingAudit::Recorder {
     check();
   }
   void drawArrays(GLenum, GLint, GLsizei) { checkDraw(); }
+  void multiDrawArrays(GLenum, const GLint*, const GLsizei*, GLsizei) { checkDraw(); }
+  void multiDrawElements(GLenum, const GLsizei*, GLenum, const void* const*, GLsizei) {
+    if (!pass().buffers.contains({GL_ELEMENT_ARRAY_BUFFER, 0}))
+      complain("the indices drawn with program " + label() + " were not bound by the pass");
+    checkDraw();
+  }
   void drawArraysInstanced(GLenum, GLint, GLsizei, GLsizei) { checkDraw(); }
   void drawArraysIndirect(GLenum, const void*) {
     checkIndirect(GL_DRAW_INDIRECT_BUFFER, "draw");
@@ -274,6 +280,8 @@ const std::map<std::string, gl::Proc> BindingAudit::Recorder::watched = {
     {"glDispatchCompute", watch<&gl::Api::DispatchCompute, &Recorder::dispatchCompute>()},
     {"glDispatchComputeIndirect", watch<&gl::Api::DispatchComputeIndirect, &Recorder::dispatchComputeIndirect>()},
     {"glDrawArrays", watch<&gl::Api::DrawArrays, &Recorder::drawArrays>()},
+    {"glMultiDrawElements", watch<&gl::Api::MultiDrawElements, &Recorder::multiDrawElements>()},
+    {"glMultiDrawArrays", watch<&gl::Api::MultiDrawArrays, &Recorder::multiDrawArrays>()},
     {"glDrawArraysInstanced", watch<&gl::Api::DrawArraysInstanced, &Recorder::drawArraysInstanced>()},
     {"glDrawArraysIndirect", watch<&gl::Api::DrawArraysIndirect, &Recorder::drawArraysIndirect>()},
     {"glEnable", watch<&gl::Api::Enable, &Recorder::enable>()},

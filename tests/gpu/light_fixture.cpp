@@ -69,8 +69,8 @@ Sky evenSky(const glm::vec3& radiance) {
 void LightTest::draw(const Scene& scene, const Camera& camera, int width, int height) {
   gpu = uploadScene(api, scene);
   // Shadows come first: their count of lights is part of the constants.
-  warnings = shadowPass.run(gpu, scene.lights, scene.sky, settings, shadows, profiler);
-  frame = makeFrameConstants(camera, gpu.extents.bounds(), scene.sky, settings, width, height, shadows.lightCount);
+  warnings = shadowPass.run(gpu, scene.lights, scene.sky, settings, {}, shadows, profiler);
+  frame = makeFrameConstants(camera, gpu.extents.bounds(), scene.sky, settings, width, height, shadows.ranges);
   constants = gl::makeBuffer(api, std::span<const shared::FrameConstants>(&frame, 1), "frame");
   gbufferPass.run(view(), gbuffer);
   shadePass.run(view(), gbuffer);

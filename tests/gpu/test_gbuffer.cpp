@@ -41,7 +41,7 @@ class GBufferTest : public testing::ContextTest {
     Picture picture;
     picture.width = width;
     picture.height = height;
-    picture.frame = makeFrameConstants(camera, gpu.extents.bounds(), scene.sky, settings, width, height, 0);
+    picture.frame = makeFrameConstants(camera, gpu.extents.bounds(), scene.sky, settings, width, height, {});
     const gl::Buffer constants =
         gl::makeBuffer(api, std::span<const shared::FrameConstants>(&picture.frame, 1), "frame");
     GBufferPass pass(api);
@@ -68,6 +68,32 @@ Camera cameraAt(const glm::vec3& eye, const glm::vec3& target) {
   camera.eye = eye;
   camera.target = target;
   return camera;
+}
+
+// A program is made for the number of buckets: each scene, whatever it has, shows the colors of its textures.
+TEST_F(GBufferTest, EveryBucketShowsItsTexture) {
+  for (const int count : {0, 1, 3, 8}) {
+    SCOPED_TRACE(count);
+    Scene scene;
+    scene.materials.resize(1);
+    for (int i = 0; i < 8; ++i) {
+      const auto x = static_cast<float>(i);
+      std::uint32_t material = 0;
+      if (i < count) {
+        scene.textures.push_back(plainTexture(4 + i, 4, {static_cast<std::uint8_t>(30 * i + 20), 9, 0, 255}, false));
+        material = static_cast<std::uint32_t>(scene.materials.size());
+        scene.materials.emplace_back().baseColorTexture.texture = i;
+      }
+      addQuad(scene, {x, 0, 0}, {x + 1, 0, 0}, {x + 1, 1, 0}, {x, 1, 0}, material);
+    }
+    Camera camera = cameraAt({4, 0.5f, 10}, {4, 0.5f, 0});
+    camera.verticalFov = 2 * std::atan(0.05f);
+    const Picture picture = draw(scene, camera, 64, 8);
+    for (int i = 0; i < 8; ++i) {
+      const float expected = i < count ? static_cast<float>(30 * i + 20) / 255 : 1.0f;
+      EXPECT_NEAR(picture.at(picture.baseColor, 8 * i + 4, 4).r, expected, 1e-3f) << "texture " << i;
+    }
+  }
 }
 
 TEST_F(GBufferTest, PlaneGivesThePointsOfThePixelRays) {

@@ -37,6 +37,19 @@ TEST_F(LightingTest, LightsAdd) {
   expectColor(shadeAt(scene, {0, 2, 1}, {0, 0, 0}), vec3(0.5f * irradiance / kPi), 1e-3f);
 }
 
+// Shaders keep which lights may reach a surface in words of 32 bits.
+TEST_F(LightingTest, ManyLightsAdd) {
+  Scene scene = plate(diffuse(vec3(1)));
+  settings.shadow.resolution = 16;
+  float irradiance = 0;
+  for (int i = 0; i < 75; ++i) {
+    const float lux = static_cast<float>(i % 7);
+    scene.lights.push_back(sun({0, i % 5 == 4 ? 1 : -1, 0}, lux));  // one in five shines from below
+    if (i % 5 != 4) irradiance += lux;
+  }
+  expectColor(shadeAt(scene, {0, 4, 1}, {0, 0, 0}), vec3(irradiance / kPi), 1e-3f);
+}
+
 TEST_F(LightingTest, PointLightFallsWithTheSquareOfTheDistance) {
   for (const float height : {0.5f, 1.0f, 3.0f}) {
     Scene scene = plate(diffuse(vec3(1)));

@@ -46,7 +46,7 @@ class RayDistances : public ContextTest, public ::testing::WithParamInterface<Di
     set(settings_, "trace.method", GetParam().method);
     const Method exact{methodInfo("exact"), makeExactTracerFactory(scene_, 2)};
     tracer_ = makeTracer(api, settings_, std::span(&exact, 1));
-    frame_ = makeFrameConstants(kAbove, gpu_.extents.bounds(), scene_.sky, settings_, 16, 16, 0);
+    frame_ = makeFrameConstants(kAbove, gpu_.extents.bounds(), scene_.sky, settings_, 16, 16, {});
     constants_ = gl::makeBuffer(api, std::span<const shared::FrameConstants>(&frame_, 1), "frame");
     // Structures whose pool grows from frame to frame are whole after a few.
     for (int i = 0; i < 4; ++i) tracer_->update(view(), SceneChange::everything());

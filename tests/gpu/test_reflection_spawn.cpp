@@ -57,7 +57,7 @@ class ReflectionSpawn : public testing::ContextTest {
     camera.eye = {0, 0, 0};
     camera.target = {0, 0, -1};
     Selection result;
-    result.frame = makeFrameConstants(camera, gpu.extents.bounds(), scene.sky, settings, width, height, 0);
+    result.frame = makeFrameConstants(camera, gpu.extents.bounds(), scene.sky, settings, width, height, {});
     const gl::Buffer constants =
         gl::makeBuffer(api, std::span<const shared::FrameConstants>(&result.frame, 1), "frame");
     gl::Profiler profiler(api);

@@ -161,6 +161,100 @@ TEST_F(ShadowTest, NoAcneAndNoGapAtContact) {
   }
 }
 
+// A plate of 512 triangles, which are neighbors in the scene.
+void addPlate(Scene& scene, const vec3& center, const vec3& halfU, const vec3& halfV, std::uint32_t material) {
+  constexpr int kSide = 16;
+  for (int y = 0; y < kSide; ++y)
+    for (int x = 0; x < kSide; ++x) {
+      const float u = static_cast<float>(2 * x + 1 - kSide) / kSide, v = static_cast<float>(2 * y + 1 - kSide) / kSide;
+      addQuad(scene, center + u * halfU + v * halfV, halfU / 16.0f, halfV / 16.0f, material);
+    }
+}
+
+// A room of 4 x 4 x 4 meters with a lamp in its middle and a plate before each side: +x, -x, +y, -y, +z, -z.
+Scene roomOfPlates() {
+  Scene scene;
+  const std::uint32_t white = addMaterial(scene, diffuse(vec3(1)));
+  for (int axis = 0; axis < 3; ++axis)
+    for (const float side : {1.0f, -1.0f}) {
+      vec3 n(0), u(0), v(0);
+      n[axis] = side;
+      u[(axis + 1) % 3] = 0.4f;
+      v[(axis + 2) % 3] = 0.4f;
+      addPlate(scene, n, u, v, white);
+    }
+  addBox(scene, vec3(-2), vec3(2), white, true);
+  scene.sky = evenSky(vec3(1));
+  scene.lights = {bulb(vec3(0), kPi), sun({0.3f, -1, 0.2f}, 1)};
+  return scene;
+}
+
+class ShadowViewsTest : public ShadowTest {
+ protected:
+  ShadowViewsTest() {
+    settings.shadow.resolution = 128;
+    settings.shadow.skyDirections = 4;
+  }
+
+  // What `maps` holds, brought up to date.
+  std::vector<float> drawn(const Scene& scene, const ShadowChange& change, ShadowMaps& maps) {
+    shadowPass.run(gpu, scene.lights, scene.sky, settings, change, maps, profiler);
+    const gl::Texture::Shape& shape = maps.maps.shape();
+    std::vector<float> depth(static_cast<std::size_t>(shape.width * shape.height * shape.depth));
+    maps.maps.read(GL_DEPTH_COMPONENT, GL_FLOAT, depth.size() * sizeof(float), depth.data());
+    return depth;
+  }
+};
+
+// The same triangles in an order without neighbors leave nothing to leave out.
+TEST_F(ShadowViewsTest, LeaveOutOnlyWhatTheyDoNotSee) {
+  Scene scene = roomOfPlates();
+  gpu = uploadScene(api, scene);
+  ShadowMaps maps, whole;
+  const std::vector<float> depth = drawn(scene, {}, maps);
+  EXPECT_EQ(maps.viewsDrawn, 6u + 1 + 4);
+  std::vector<Triangle> scattered;
+  for (std::size_t i = 0; i < scene.triangles.size(); ++i)
+    scattered.push_back(scene.triangles[i * 1009 % scene.triangles.size()]);
+  scene.triangles = scattered;
+  gpu = uploadScene(api, scene);
+  EXPECT_TRUE(drawn(scene, {}, whole) == depth);
+  EXPECT_EQ(whole.trianglesDrawn, 11 * scene.triangles.size());
+  EXPECT_LT(maps.trianglesDrawn, 0.7 * static_cast<double>(whole.trianglesDrawn));
+  EXPECT_LT(*std::min_element(depth.begin(), depth.end()), 0.5f);
+}
+
+TEST_F(ShadowViewsTest, AreDrawnAgainIfSomethingMovedInThem) {
+  Scene scene = roomOfPlates();
+  gpu = uploadScene(api, scene);
+  ShadowMaps maps;
+  const std::vector<float> before = drawn(scene, {}, maps);
+  const auto expectFresh = [&](const std::vector<float>& depth) {
+    ShadowMaps fresh;
+    EXPECT_TRUE(depth == drawn(scene, {}, fresh));
+  };
+  EXPECT_TRUE(drawn(scene, {.everything = false, .moved = {}}, maps) == before);
+  EXPECT_EQ(maps.viewsDrawn, 0u) << "nothing has changed";
+
+  const VertexRange plate{0, 1024};  // before +x
+  for (std::uint32_t v = 0; v < plate.count; ++v) scene.vertices[v].position.y += 0.3f;
+  std::vector<Bounds> moved = updateScene(api, gpu, scene, {.moved = {plate}});
+  const std::vector<float> after = drawn(scene, {.everything = false, .moved = moved}, maps);
+  EXPECT_EQ(maps.viewsDrawn, 1u + 1 + 4) << "the lamp's side, the sun and the sky";
+  EXPECT_TRUE(after != before);
+  expectFresh(after);
+
+  scene.lights[0].position.x += 0.1f;
+  const std::vector<float> lamp = drawn(scene, {.everything = false, .moved = {}}, maps);
+  EXPECT_EQ(maps.viewsDrawn, 6u) << "the lamp alone";
+  expectFresh(lamp);
+
+  // Out of the view of one side into that of another one.
+  for (std::uint32_t v = 0; v < plate.count; ++v) scene.vertices[v].position += vec3(-1, 1.5f, 0);
+  moved = updateScene(api, gpu, scene, {.moved = {plate}});
+  expectFresh(drawn(scene, {.everything = false, .moved = moved}, maps));
+}
+
 TEST_F(ShadowTest, SaysWhatThereIsNoRoomFor) {
   Scene scene = floorAndBox().scene;
   scene.sky = evenSky(vec3(1));

@@ -15,7 +15,7 @@
 namespace halfsilver {
 namespace {
 
-constexpr GLuint kUnits = 16, kImages = 8, kBuffers = 16;
+constexpr GLuint kUnits = 18, kImages = 8, kBuffers = 16;
 
 // Everything that a caller may have set, read back as text: one line each, so that a difference says where.
 class Snapshot {

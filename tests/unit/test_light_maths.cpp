@@ -176,9 +176,29 @@ TEST(LightList, NarrowRoom) {
   EXPECT_EQ(list.warnings.size(), 2u);
   // The sky's light is not lost with its directions.
   float up = 0;
-  for (const shared::GpuLight& l : list.lights)
-    if (l.type == LIGHT_SKY && l.direction.y < 0) up += l.color.x;
+  for (std::size_t i = list.ranges.direct; i < list.lights.size(); ++i)
+    if (list.lights[i].direction.y < 0) up += list.lights[i].color.x;
   EXPECT_GT(up, kPi * 0.99f);
+}
+
+// Shaders find a kind of light by its range.
+TEST(LightList, EachKindLiesInItsRange) {
+  const Light lights[] = {light(LightType::point), light(LightType::directional), light(LightType::spot)};
+  for (const int directions : {0, 12}) {
+    LightListLimits limits;
+    limits.skyDirections = directions;
+    const LightList list = makeLightList(box(vec3(-1), vec3(1)), lights, evenSky(vec3(1)), limits);
+    const LightRanges& ranges = list.ranges;
+    EXPECT_EQ(ranges.direct, 3u);
+    EXPECT_EQ(ranges.skyDirections, static_cast<std::uint32_t>(directions));
+    EXPECT_EQ(ranges.hemispheres, directions == 0 ? 3u : 2u);
+    ASSERT_EQ(list.lights.size(), ranges.direct + ranges.skyDirections + ranges.hemispheres);
+    EXPECT_EQ(list.lights[0].type, LIGHT_POINT);
+    EXPECT_EQ(list.lights[1].type, LIGHT_DIRECTIONAL);
+    EXPECT_EQ(list.lights[2].type, LIGHT_SPOT);
+    for (std::size_t i = 0; i < list.lights.size(); ++i)
+      EXPECT_EQ(list.lights[i].shadowLayer >= 0, i < ranges.direct + ranges.skyDirections) << i;
+  }
 }
 
 // Under a black sky there is direct light alone: the closed forms hold.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "shared/passes/resolve.h"
@@ -60,16 +61,18 @@ ReflectionEffect::ReflectionEffect(const gl::Api& api)
       count_(gl::Program::compute(api, "effects/ray_count.comp")),
       resolve_(gl::Program::compute(api, "effects/reflection/resolve.comp")) {}
 
-const gl::Program& ReflectionEffect::shading(bool first, bool ofPixels, bool surfaces, bool next) {
-  gl::Program& program = shade_[first][ofPixels][surfaces][next];
-  if (program) return program;
-  std::vector<gl::Define> defines;
-  if (first) defines.push_back({"FIRST_GENERATION"});
-  if (ofPixels) defines.push_back({"PIXEL_QUEUE"});
-  if (surfaces) defines.push_back({"HIT_SURFACES"});
-  if (next) defines.push_back({"NEXT_BOUNCE"});
-  program = gl::Program::compute(*api_, "effects/reflection/shade.comp", defines);
-  return program;
+const gl::Program& ReflectionEffect::shading(const GpuScene& scene, bool first, bool ofPixels, bool surfaces,
+                                             bool next) {
+  std::optional<SurfacePrograms>& programs = shade_[first][ofPixels][surfaces][next];
+  if (!programs) {
+    std::vector<gl::Define> defines;
+    if (first) defines.push_back({"FIRST_GENERATION"});
+    if (ofPixels) defines.push_back({"PIXEL_QUEUE"});
+    if (surfaces) defines.push_back({"HIT_SURFACES"});
+    if (next) defines.push_back({"NEXT_BOUNCE"});
+    programs.emplace(*api_, "effects/reflection/shade.comp", std::move(defines));
+  }
+  return programs->of(scene);
 }
 
 int ReflectionEffect::batches(const GBuffer& gbuffer, std::uint32_t maxRays) const {
@@ -148,7 +151,8 @@ void ReflectionEffect::shade(const FrameView& view, const RayQueue& rays, const 
     next->count.fill(0, 0, offsetof(shared::RayCount, overflow));  // which counts for the whole frame
   }
 
-  shading(generation == 0, rays.ofPixels(), static_cast<bool>(hits.surfaces), next != nullptr).use();
+  const bool surfaces = static_cast<bool>(hits.surfaces);
+  shading(view.scene, generation == 0, rays.ofPixels(), surfaces, next != nullptr).use();
   view.scene.bindSurfaces();
   view.shadows.bind();
   view.bindRays(rays);

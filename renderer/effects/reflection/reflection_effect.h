@@ -1,6 +1,9 @@
 #pragma once
 
+#include <optional>
+
 #include "effects/ray_effect.h"
+#include "frame/surface_programs.h"
 #include "gl/program.h"
 
 namespace halfsilver {
@@ -37,14 +40,14 @@ class ReflectionEffect final : public RayEffect {
                std::uint32_t slotsPerPixel);
 
  private:
-  const gl::Program& shading(bool first, bool ofPixels, bool surfaces, bool next);
+  const gl::Program& shading(const GpuScene& scene, bool first, bool ofPixels, bool surfaces, bool next);
   static void bindShaded(const FrameView& view, const EffectFrame& frame);
   void countRays(const RayQueue& queue) const;
 
   const gl::Api* api_;
   gl::Program spawn_, spawnByContribution_, contributions_, count_, resolve_;
   // Made on first use: [first generation][queue of pixels][with HitSurface][with a next one].
-  gl::Program shade_[2][2][2][2];
+  std::optional<SurfacePrograms> shade_[2][2][2][2];
 };
 
 }  // namespace halfsilver

@@ -6,7 +6,9 @@
 #include <vector>
 
 #include <halfsilver/bounds.h>
+#include <halfsilver/draw_clusters.h>
 #include <halfsilver/gl/buffer.h>
+#include <halfsilver/gl/texel_buffer.h>
 #include <halfsilver/gl/texture.h>
 #include <halfsilver/model.h>
 #include <halfsilver/scene_core.h>
@@ -15,18 +17,14 @@
 // What the stages of a frame hand on: plain move-only types that own GPU memory. See README.md of this folder.
 namespace halfsilver {
 
-// A run of the draw list that is drawn with one state.
-struct DrawRange {
-  std::uint32_t first = 0, count = 0;  // triangles
-  bool doubleSided = false;
-  bool cut = false;  // needs the alpha test
-};
-
 // The scene on the GPU: world-space triangles (relative to Scene::origin), materials and their textures.
 struct GpuScene {
   gl::Buffer positions, attributes, triangles, materials, drawList;
+  gl::Buffer indices;  // uint[3 * triangles without holes]: vertices of the draw list, whose beginning these are
   std::vector<DrawRange> drawRanges;
+  DrawClusters clusters;                        // of the draw list
   std::vector<gl::Texture> textures;            // buckets of equal size, at most TEXTURE_BUCKETS
+  gl::TexelBuffer alphas;                       // of the textures that cut holes, see GpuMaterial::alphaFirst
   gl::Texture sky;                              // 1 x 1 if the sky is a gradient
   std::vector<std::uint32_t> textureLocations;  // one per texture of the scene, see GpuTexture::location
   std::uint32_t vertexCount = 0, triangleCount = 0, materialCount = 0;
@@ -37,18 +35,35 @@ struct GpuScene {
   std::size_t textureBytes() const;
   // SSBO_POSITIONS and SSBO_TRIANGLES.
   void bindTriangles() const;
-  // All of SSBO_POSITIONS to SSBO_MATERIALS and the material textures.
+  // All of SSBO_POSITIONS to SSBO_MATERIALS, the material textures and their alpha.
   void bindSurfaces() const;
+};
+
+// How many lights of each kind there are, in the order in which they lie behind one another (see GpuLight).
+struct LightRanges {
+  std::uint32_t direct = 0, skyDirections = 0, hemispheres = 0;
+};
+
+// One drawing of the scene into the shadow maps.
+struct ShadowView {
+  int layer = 0;
+  glm::ivec4 rectangle{0};  // x, y, width, height in texels of the layer
+  glm::mat4 worldToClip{1};
+
+  bool operator==(const ShadowView&) const = default;
 };
 
 // Lights with their shadow maps in one depth array.
 struct ShadowMaps {
-  gl::Buffer lights;  // GpuLight[lightCount], the sky's directions included
-  gl::Texture maps;   // depth array
-  std::uint32_t lightCount = 0;
+  gl::TexelBuffer lights;  // GpuLight[], range after range
+  LightRanges ranges;
+  gl::Texture maps;               // depth array
+  std::vector<ShadowView> views;  // what the maps hold
+  // Of the last run of the shadow pass.
+  std::size_t viewsDrawn = 0, trianglesDrawn = 0;
 
   std::size_t bytes() const { return lights.bytes() + maps.bytes(); }
-  void bind() const;  // SSBO_LIGHTS, UNIT_SHADOW_MAPS
+  void bind() const;  // UNIT_LIGHTS, UNIT_SHADOW_MAPS
 };
 
 // One surface per pixel. Position is exact: the pixel's ray through the triangle, not the rasterizer's interpolation.

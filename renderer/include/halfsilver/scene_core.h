@@ -21,9 +21,6 @@ struct SceneCore {
 
 inline constexpr std::size_t kMaxOuterTriangles = 32;
 
-// Sorted, without empty ranges and overlaps.
-std::vector<VertexRange> mergeRanges(std::span<const VertexRange> ranges);
-
 // Bounds and core of a scene whose vertices move. Triangles are measured in blocks, so that an update costs what moved.
 class SceneExtents {
  public:

@@ -80,8 +80,8 @@ struct TraceSettings {
 };
 
 struct ShadowSettings {
-  int resolution = 1024;   // texels, of each shadow map, 16..8192
-  int skyDirections = 12;  // shadowed directions that stand for the sky, 0..32; 0: unshadowed sky light
+  int resolution = 864;    // texels, of each shadow map, 16..8192
+  int skyDirections = 10;  // shadowed directions that stand for the sky, 0..32; 0: unshadowed sky light
 
   bool operator==(const ShadowSettings&) const = default;
 };

@@ -45,8 +45,11 @@ HALFSILVER_AT(GpuMaterial, occlusionStrength, 60);
 HALFSILVER_AT(GpuMaterial, dielectricF0, 64);
 HALFSILVER_AT(GpuMaterial, mirror, 68);
 HALFSILVER_AT(GpuMaterial, flags, 72);
-HALFSILVER_AT(GpuMaterial, textures, 80);
-static_assert(sizeof(GpuMaterial) == 80 + 7 * sizeof(GpuTexture));
+HALFSILVER_AT(GpuMaterial, alphaFirst, 80);
+HALFSILVER_AT(GpuMaterial, alphaWidth, 84);
+HALFSILVER_AT(GpuMaterial, alphaHeight, 88);
+HALFSILVER_AT(GpuMaterial, textures, 96);
+static_assert(sizeof(GpuMaterial) == 96 + 7 * sizeof(GpuTexture));
 
 HALFSILVER_AT(GpuLight, position, 0);
 HALFSILVER_AT(GpuLight, range, 12);
@@ -131,7 +134,7 @@ HALFSILVER_AT(FrameConstants, skyGround, 192);
 HALFSILVER_AT(FrameConstants, exposure, 204);
 HALFSILVER_AT(FrameConstants, width, 208);
 HALFSILVER_AT(FrameConstants, height, 212);
-HALFSILVER_AT(FrameConstants, lightCount, 216);
+HALFSILVER_AT(FrameConstants, directLights, 216);
 HALFSILVER_AT(FrameConstants, cullBackFaces, 220);
 HALFSILVER_AT(FrameConstants, maxRoughness, 224);
 HALFSILVER_AT(FrameConstants, minReflectivity, 228);
@@ -141,7 +144,9 @@ HALFSILVER_AT(FrameConstants, selectMode, 240);
 HALFSILVER_AT(FrameConstants, selectPattern, 244);
 HALFSILVER_AT(FrameConstants, fill, 248);
 HALFSILVER_AT(FrameConstants, bounces, 252);
-static_assert(sizeof(FrameConstants) == 256);
+HALFSILVER_AT(FrameConstants, skyDirections, 256);
+HALFSILVER_AT(FrameConstants, hemispheres, 260);
+static_assert(sizeof(FrameConstants) == 272);
 
 #undef HALFSILVER_AT
 

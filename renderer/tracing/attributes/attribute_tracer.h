@@ -1,9 +1,9 @@
 #pragma once
 
+#include <halfsilver/gl/texel_buffer.h>
 #include <halfsilver/settings.h>
 #include <halfsilver/tracer.h>
 #include "gl/framebuffer.h"
-#include "gl/texel_buffer.h"
 #include "tracing/attributes/page_pool.h"
 #include "tracing/grid.h"
 #include "tracing/trace_pass.h"

@@ -4,6 +4,7 @@
 #include <numeric>
 #include <vector>
 
+#include "scene/vertex_ranges.h"
 #include "shared/tracing.h"
 #include "tracing/identity/resize.h"
 #include "tracing/raster.h"

@@ -98,6 +98,8 @@
   X(PFNGLDELETEVERTEXARRAYSPROC, DeleteVertexArrays)                     \
   X(PFNGLBINDVERTEXARRAYPROC, BindVertexArray)                           \
   X(PFNGLDRAWARRAYSPROC, DrawArrays)                                     \
+  X(PFNGLMULTIDRAWARRAYSPROC, MultiDrawArrays)                           \
+  X(PFNGLMULTIDRAWELEMENTSPROC, MultiDrawElements)                       \
   X(PFNGLDRAWARRAYSINSTANCEDPROC, DrawArraysInstanced)                   \
   X(PFNGLDRAWARRAYSINDIRECTPROC, DrawArraysIndirect)                     \
   X(PFNGLDISPATCHCOMPUTEPROC, DispatchCompute)                           \

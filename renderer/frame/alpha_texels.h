@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <halfsilver/gl/texel_buffer.h>
+#include <halfsilver/scene.h>
+
+namespace halfsilver {
+
+// Where the alpha of a material's base color texture lies; all 0 if the material cuts no holes with a texture.
+struct AlphaPlace {
+  std::uint32_t first = 0, width = 0, height = 0;  // bytes, texels
+};
+
+// Level 0's alpha of all textures that cut holes, as they are in the scene: the alpha test needs no sampler, no switch
+// over buckets and a quarter of the bytes.
+struct AlphaTexels {
+  gl::TexelBuffer texels;
+  std::vector<AlphaPlace> places;  // one per material
+};
+
+// `holes`: materialsWithHoles(scene).
+AlphaTexels uploadAlphas(const gl::Api& api, const Scene& scene, const std::vector<bool>& holes);
+
+}  // namespace halfsilver

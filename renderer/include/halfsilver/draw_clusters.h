@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <halfsilver/bounds.h>
+#include <halfsilver/model.h>
+#include <halfsilver/scene.h>
+
+namespace halfsilver {
+
+// A run of the draw list that is drawn with one state.
+struct DrawRange {
+  std::uint32_t first = 0, count = 0;  // triangles
+  bool doubleSided = false;
+  bool cut = false;  // needs the alpha test
+};
+
+// A piece of a range, small enough to be left out by views that do not see it.
+struct DrawCluster {
+  std::uint32_t first = 0, count = 0;  // triangles of the draw list
+  bool cut = false;
+  Bounds bounds;
+  std::uint32_t firstVertex = 0, lastVertex = 0;  // all that it uses lie between, inclusive
+};
+
+// The draw list in clusters of neighbors: triangles keep the scene's order within a range.
+class DrawClusters {
+ public:
+  static constexpr std::uint32_t kTriangles = 256;
+
+  DrawClusters() = default;
+  DrawClusters(const Scene& scene, std::vector<std::uint32_t> drawList, std::span<const DrawRange> ranges);
+
+  // Follows moved vertices; the triangles are those that the object was made from. Returns where clusters that may use
+  // one of them were, and where they are.
+  std::vector<Bounds> update(const Scene& scene, std::span<const VertexRange> moved);
+
+  std::span<const DrawCluster> all() const { return clusters_; }
+
+ private:
+  std::vector<std::uint32_t> drawList_;
+  std::vector<DrawCluster> clusters_;
+};
+
+}  // namespace halfsilver
