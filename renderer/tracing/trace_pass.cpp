@@ -18,9 +18,7 @@ static_assert(offsetof(Resume, times) == 28);
 static_assert(offsetof(Resume, count) == 32);
 static_assert(offsetof(Resume, readFrom) == 36);
 static_assert(offsetof(Resume, writeTo) == 40);
-static_assert(offsetof(Resume, waitingGroupsX) == 48);
-static_assert(sizeof(Resume) == 64);
-static_assert(TRACE_GROUP == TracePass::kGroup);
+static_assert(sizeof(Resume) == 48);
 
 }  // namespace shared
 
@@ -29,6 +27,8 @@ namespace {
 // Rays and their indices, twice.
 std::uint64_t resumeBytes(std::uint64_t rays) { return sizeof(shared::Resume) + 2 * rays * sizeof(GLuint); }
 
+// Iterations after which a ray yields if the driver stops shaders at 65,535 of them in a vector of eight rays.
+constexpr int kSoftwareWorkLimit = 4000;
 // Dispatches after which the rest is given up; a ray does at least a voxel in each.
 constexpr int kMaxDispatches = 1024;
 
@@ -50,24 +50,23 @@ void reserve(const gl::Api& api, std::size_t bytes, const char* label, gl::Buffe
 }  // namespace
 
 TracePass::TracePass(const gl::Api& api, const TraceSettings& settings, const std::string& folder,
-                     std::vector<gl::Define> defines, Batch batch)
+                     std::vector<gl::Define> defines)
     : api_(&api),
       settings_(settings),
-      batch_(batch),
       program_(makeProgram(api, settings, folder, std::move(defines))),
       resume_(gl::Program::compute(api, "tracing/common/resume.comp")),
       vertexArray_(api),
       look_(api) {}
 
-void TracePass::dispatchIndirect(std::size_t arguments) const {
+void TracePass::dispatchRays() const {
   api_->BindBuffer(GL_DISPATCH_INDIRECT_BUFFER, resumeWork_.name());
-  api_->DispatchComputeIndirect(static_cast<GLintptr>(arguments));
+  api_->DispatchComputeIndirect(offsetof(shared::Resume, groupsX));
 }
 
 void TracePass::dispatch(const RayQueue& rays) const {
   program_.use();
   if (settings_.stage == TraceStage::compute) {
-    dispatchIndirect(offsetof(shared::Resume, groupsX));
+    dispatchRays();
   } else {
     // Fragments beyond the queue's count end at once; the count itself stays on the GPU.
     const auto rowLength = static_cast<GLuint>(std::min(api_->limits.framebufferSize, 8192));
@@ -96,7 +95,6 @@ void TracePass::bind(const FrameView& view, const RayQueue& rays, const Hits& hi
 
 void TracePass::prepare(const RayQueue& rays, bool resuming) const {
   resume_.set("resuming", resuming ? 1 : 0);
-  resume_.set("raysPerGroup", static_cast<GLuint>(kGroup * batch_.raysPerInvocation));
   rays.count.bindStorage(SSBO_RAY_COUNT);
   resumeWork_.bindStorage(SSBO_RESUME);
   resume_.use();
@@ -116,7 +114,7 @@ int TracePass::run(const FrameView& view, const RayQueue& rays, const Hits& hits
   resumeWork_.write(0, &none, sizeof(none));
   // The queue (selection, shading) is read as arguments of the dispatch and by the trace.
   api_->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
-  program_.set("workLimit", limited ? batch_.softwareWorkLimit : std::numeric_limits<int>::max());
+  program_.set("workLimit", limited ? kSoftwareWorkLimit : std::numeric_limits<int>::max());
   prepare(rays, false);
   bool more = !once;
   int untilLook = dispatches, between = dispatches;
@@ -150,7 +148,7 @@ int TracePass::run(const FrameView& view, const RayQueue& rays, const Hits& hits
       structure.supply([&](const gl::Program& program) {
         bind(view, rays, hits);
         program.use();
-        dispatchIndirect(offsetof(shared::Resume, waitingGroupsX));
+        dispatchRays();
         api_->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);  // what waiting rays ask for is read by what makes it
       });
     }

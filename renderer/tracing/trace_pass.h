@@ -16,20 +16,9 @@ namespace halfsilver {
 // dispatch, or in several if rays wait for something or the driver's loops end.
 class TracePass {
  public:
-  static constexpr int kGroup = 64;  // invocations
-  struct Batch {
-    int raysPerInvocation = 1;
-    // Iterations, by the method's own count, after which it leaves the rest to the next dispatch if the driver stops
-    // shaders at 65,535 of them in a vector of eight invocations.
-    int softwareWorkLimit = 4000;
-  };
-
   // `folder` below shaders/: holds trace.comp and trace.frag of the method. `defines` are the method's own.
   TracePass(const gl::Api& api, const TraceSettings& settings, const std::string& folder,
-            std::vector<gl::Define> defines, Batch batch);
-  TracePass(const gl::Api& api, const TraceSettings& settings, const std::string& folder,
-            std::vector<gl::Define> defines = {})
-      : TracePass(api, settings, folder, std::move(defines), Batch()) {}
+            std::vector<gl::Define> defines = {});
 
   // For the method's own uniforms.
   const gl::Program& program() const { return program_; }
@@ -62,13 +51,12 @@ class TracePass {
 
  private:
   void bind(const FrameView& view, const RayQueue& rays, const Hits& hits) const;
-  void dispatchIndirect(std::size_t arguments) const;
+  void dispatchRays() const;
   void dispatch(const RayQueue& rays) const;
   void prepare(const RayQueue& rays, bool resuming) const;
 
   const gl::Api* api_;
   TraceSettings settings_;
-  Batch batch_;
   gl::Program program_, resume_;
   gl::EmptyVertexArray vertexArray_;
   gl::Buffer paused_;      // PausedRay[capacity of the largest queue]

@@ -12,12 +12,13 @@ static_assert(offsetof(BrickWork, brickGroupsX) == 0);
 static_assert(offsetof(BrickWork, blockGroupsX) == 12);
 static_assert(offsetof(BrickWork, triangleGroupsX) == 24);
 static_assert(offsetof(BrickWork, buildGroupsX) == 36);
-static_assert(offsetof(BrickWork, buildCount) == 52);
-static_assert(offsetof(BrickWork, requestedBricks) == 60);
-static_assert(offsetof(BrickWork, waitingWords) == 64);
-static_assert(offsetof(BrickWork, longestWaiting) == 68);
-static_assert(offsetof(BrickWork, usedWords) == 72);
-static_assert(offsetof(BrickWork, staleHeaderWords) == 88);
-static_assert(sizeof(BrickWork) == 96);
+static_assert(offsetof(BrickWork, groupsPerBuildX) == 48);
+static_assert(offsetof(BrickWork, buildCount) == 64);
+static_assert(offsetof(BrickWork, requestedBricks) == 72);
+static_assert(offsetof(BrickWork, waitingWords) == 76);
+static_assert(offsetof(BrickWork, longestWaiting) == 80);
+static_assert(offsetof(BrickWork, usedWords) == 84);
+static_assert(offsetof(BrickWork, staleHeaderWords) == 100);
+static_assert(sizeof(BrickWork) == 112);
 
 }  // namespace halfsilver::shared

@@ -13,15 +13,6 @@ constexpr int kKeptLookAhead = 16;  // if most bricks are there from earlier fra
 constexpr int kMaxLookAhead = 4096;
 // Dispatches before the host looks whether rays still wait: as many as they mostly need.
 constexpr int kFirstDispatches = 6, kKeptDispatches = 2;
-// Iterations of all loops of an invocation, by the search's own count, on drivers that stop at 65,535. The rest is for
-// the rays that an invocation then puts off.
-constexpr int kSoftwareWorkLimit = 62000;
-// Rays per invocation. On software rasterizers, with few processors, an invocation takes several in turn, so that its
-// neighbors wait less for a long one; hardware wants as many groups as it can get.
-constexpr int kSoftwareRays = 8, kRays = 1;
-
-int raysPerInvocation(const gl::Api& api) { return api.software ? kSoftwareRays : kRays; }
-
 }  // namespace
 
 Method IdentityTracer::method() {
@@ -39,11 +30,7 @@ IdentityTracer::IdentityTracer(const gl::Api& api, const Settings& settings)
       store_(api, settings),
       builder_(api),
       request_(gl::Program::compute(api, "tracing/identity/request.comp")),
-      tracePass_(api, settings.trace, "tracing/identity", {},
-                 {.raysPerInvocation = raysPerInvocation(api), .softwareWorkLimit = kSoftwareWorkLimit}) {
-  if (settings.trace.stage == TraceStage::compute)
-    tracePass_.program().set("raysPerInvocation", static_cast<GLuint>(raysPerInvocation(api)));
-}
+      tracePass_(api, settings.trace, "tracing/identity") {}
 
 void IdentityTracer::update(const FrameView& view, const SceneChange& change) {
   store_.beginFrame();

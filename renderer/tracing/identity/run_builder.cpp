@@ -102,7 +102,10 @@ void RunBuilder::buildRequested(const GpuScene& scene, const RunStore& store) {
   visitBuilds(false, scene, store);
   dispatchForBuilds(placeRuns_, offsetof(shared::BrickWork, buildGroupsX), store);
   visitBuilds(true, scene, store);
-  dispatchForBuilds(finishBricks_, offsetof(shared::BrickWork, buildGroupsX), store);
+  store.grid().apply(finishBricks_);
+  store.entryLayout().apply(finishBricks_);
+  scene.bindTriangles();
+  dispatchForBuilds(finishBricks_, offsetof(shared::BrickWork, groupsPerBuildX), store);
 }
 
 void RunBuilder::dispatchForBuilds(const gl::Program& program, std::size_t arguments, const RunStore& store) const {

@@ -35,7 +35,7 @@
 // What rays ask for, and what becomes of it.
 struct BrickWork {
   // Of the build under way: groups of its indirect dispatches over bricks, blocks of triangles, the triangles of those
-  // that are wanted, and builds.
+  // that are wanted, builds, and builds with a group for each.
   uint brickGroupsX;
   uint brickGroupsY;
   uint brickGroupsZ;
@@ -48,6 +48,9 @@ struct BrickWork {
   uint buildGroupsX;
   uint buildGroupsY;
   uint buildGroupsZ;
+  uint groupsPerBuildX;
+  uint groupsPerBuildY;
+  uint groupsPerBuildZ;
   uint wantedBlocks;
   uint buildCount;
   uint nextWord;         // behind the runs that have been placed, and beyond if one found no room
@@ -59,7 +62,8 @@ struct BrickWork {
   uint longestRun;       // words
   uint staleWords;       // of runs that were given up
   uint staleHeaderWords;  // of these, before the entries
-  uint padding;
+  uint padding0;
+  uint padding1;
 };
 // Keeps the sum of waiting words in a word.
 #define MAX_WAITING_WORDS 0x1ffffu

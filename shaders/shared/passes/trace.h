@@ -16,18 +16,14 @@ struct Resume {
   uint instances;
   uint firstVertex;
   uint firstInstance;
-  uint groupsX;  // an indirect dispatch of the trace
+  uint groupsX;  // an indirect dispatch
   uint groupsY;
   uint groupsZ;
   uint times;  // that there was something left
   uint count;     // of rays to trace
   uint readFrom;  // where their list begins
   uint writeTo;   // where the list of those that this dispatch leaves begins
-  uint padding0;
-  uint waitingGroupsX;  // an indirect dispatch of an invocation per ray
-  uint waitingGroupsY;
-  uint waitingGroupsZ;
-  uint padding1;
+  uint padding;
 };
 
 #endif

@@ -11,13 +11,6 @@ layout(std430, binding = SSBO_RESUME) buffer ResumeBlock {
   uint waiting[];
 };
 uniform int resuming;
-uniform uint raysPerGroup;
-
-// In rows of as many groups as OpenGL guarantees.
-uvec3 groupsFor(uint rays, uint perGroup) {
-  uint groups = (rays + perGroup - 1u) / perGroup;
-  return uvec3(min(groups, 65535u), (groups + 65534u) / 65535u, 1u);
-}
 
 void main() {
   uint count = resuming == 1 ? rayCount.unfinished : rayCount.count;
@@ -26,14 +19,11 @@ void main() {
   resume.vertices = count > 0u ? 3u : 0u;
   resume.instances = 1u;
   resume.firstVertex = resume.firstInstance = 0u;
-  uvec3 groups = groupsFor(count, raysPerGroup);
-  resume.groupsX = groups.x;
-  resume.groupsY = groups.y;
-  resume.groupsZ = groups.z;
-  groups = groupsFor(count, TRACE_GROUP);
-  resume.waitingGroupsX = groups.x;
-  resume.waitingGroupsY = groups.y;
-  resume.waitingGroupsZ = groups.z;
+  // In rows of as many groups as OpenGL guarantees.
+  uint groups = (count + TRACE_GROUP - 1u) / TRACE_GROUP;
+  resume.groupsX = min(groups, 65535u);
+  resume.groupsY = (groups + 65534u) / 65535u;
+  resume.groupsZ = 1u;
   uint other = uint(waiting.length()) / 2u;
   resume.readFrom = resuming == 1 ? resume.writeTo : other;
   resume.writeTo = other - resume.readFrom;

@@ -9,7 +9,6 @@
 #include "tracing/identity/brick_build.glsl"
 #include "tracing/identity/bricks.glsl"
 #include "tracing/identity/entry.glsl"
-#include "tracing/identity/triangle_part.glsl"
 
 uniform int secondStep;
 
@@ -23,7 +22,8 @@ void addEntry(ivec3 voxel, uint triangle, int axis) {
   bool inPlace = ownAxis == 1 || (voxelMaskAt(brick) & (1u << uint(axis))) != 0u;
   if (!inPlace || !requested(state)) return;
   uint place = atomicAdd(builds[state - BRICK_REQUESTED].next[voxelInBrick(voxel)], 1u);
-  if (secondStep == 1) runs[place] = packEntry(triangle, partInVoxel(triangle, voxel));
+  // The box comes later, for which the voxel holds the place: few of the voxels visited have a list to be filled.
+  if (secondStep == 1) runs[place] = packEntry(triangle, boxSlices > 0 ? voxelInBrick(voxel) : 0u);
   ++entriesAdded;
 }
 

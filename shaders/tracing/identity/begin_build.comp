@@ -10,11 +10,13 @@ uniform uint maxRequests;
 uniform uint brickCount;
 uniform uint blockCount;  // of triangles
 
-// Of 64 invocations each, in rows; see dispatchFor().
-uvec3 groupsFor(uint items) {
-  uint groups = (items + 63u) / 64u;
+// In rows; see dispatchFor().
+uvec3 rowsOf(uint groups) {
   return uvec3(min(groups, MAX_TRIANGLE_GROUPS), (groups + MAX_TRIANGLE_GROUPS - 1u) / MAX_TRIANGLE_GROUPS, 1u);
 }
+
+// Of 64 invocations each.
+uvec3 groupsFor(uint items) { return rowsOf((items + 63u) / 64u); }
 
 void main() {
   bool room = brickWork.waitingWords == 0u;
@@ -37,6 +39,10 @@ void main() {
   brickWork.buildGroupsX = groups.x;
   brickWork.buildGroupsY = groups.y;
   brickWork.buildGroupsZ = groups.z;
+  groups = rowsOf(count);
+  brickWork.groupsPerBuildX = groups.x;
+  brickWork.groupsPerBuildY = groups.y;
+  brickWork.groupsPerBuildZ = groups.z;
   listed.largeVertices = 0u;
   listed.smallGroupsX = 0u;
   listed.smallCount = 0u;

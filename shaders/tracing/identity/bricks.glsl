@@ -21,7 +21,13 @@ uint brickIndex(ivec3 brick) {
   return uint(brick.x + count.x * (brick.y + count.y * brick.z));
 }
 
-// A voxel's number in its brick.
+ivec3 brickAt(uint index) {
+  ivec3 count = voxelCount >> BRICK_SHIFT;
+  int i = int(index);
+  return ivec3(i % count.x, i / count.x % count.y, i / (count.x * count.y));
+}
+
+// A voxel's number in its brick, and where that voxel is.
 uint voxelInBrick(ivec3 voxel) {
   ivec3 v = voxel & (BRICK_SIDE - 1);
   return uint(v.x | v.y << BRICK_SHIFT | v.z << (2 * BRICK_SHIFT));
@@ -30,6 +36,10 @@ uint voxelInBrick(ivec3 voxel) {
 // An empty brick begins empty cubes of bricks, one in each of the eight directions. Their sides are powers of two.
 bool emptyBrick(uint state) { return state >= BRICK_EMPTY; }
 int emptySide(uint state, uint octant) { return 1 << ((state >> (EMPTY_SIDE_BITS * octant)) & 7u); }
+
+ivec3 voxelOfBrick(uint number) {
+  return ivec3(number, number >> BRICK_SHIFT, number >> (2 * BRICK_SHIFT)) & (BRICK_SIDE - 1);
+}
 
 bool present(uint state) { return state < BRICK_REQUESTED; }
 // Rays wait for it; its number among such is what is left of the state.

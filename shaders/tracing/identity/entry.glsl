@@ -28,9 +28,11 @@ uint boxBits(vec3 low, vec3 high) {
   return slicesOf(low.x, high.x) | slicesOf(low.y, high.y) << slices | slicesOf(low.z, high.z) << (2u * slices);
 }
 
-bool boxMeets(uint entry, uint box) {
-  uint both = (entry >> boxShift) & box;
+// Whether the entry's box and one of two others share a slice of each axis.
+bool boxMeets(uint entry, uvec2 boxes) {
+  uvec2 both = uvec2(entry >> boxShift) & boxes;
   both |= both >> boxFold0;
   both |= both >> boxFold1;
-  return (both & boxAxes) == boxAxes;
+  both &= boxAxes;
+  return both.x == boxAxes || both.y == boxAxes;
 }

@@ -25,8 +25,7 @@ void main() {
   if (index >= brickCount) return;
   uint state = bricks[index];
   if (!emptyBrick(state)) return;
-  ivec3 count = voxelCount >> BRICK_SHIFT;
-  ivec3 brick = ivec3(int(index) % count.x, int(index) / count.x % count.y, int(index) / (count.x * count.y));
+  ivec3 brick = brickAt(index);
   uint octants = emptyOctants(brick);
   for (int i = 0; i < 27; ++i) {
     ivec3 step = ivec3(i % 3, i / 3 % 3, i / 9) - 1;

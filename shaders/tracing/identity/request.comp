@@ -32,7 +32,7 @@ void main() {
     uint brick = brickIndex(brickOf(voxel)), state = bricks[brick];
     if (!emptyBrick(state)) --left;
     if (state == BRICK_MISSING) requestBrick(brick);
-    Cube cube = brickCube(walk, octant, voxel, state);
+    Cube cube = emptyBrick(state) ? emptyCube(walk, octant, voxel, state) : brickCube(walk, voxel);
     voxel = voxelBehind(walk, cube);
     going = left > 0 && exitOf(cube) < end && inGrid(voxel);
   }

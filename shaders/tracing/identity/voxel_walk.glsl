@@ -4,6 +4,7 @@
 #include "tracing/common/grid.glsl"
 #include "tracing/common/walk.glsl"
 #include "tracing/identity/bricks.glsl"
+#include "tracing/identity/entry.glsl"
 
 struct VoxelRay {
   vec3 origin, direction;
@@ -40,11 +41,15 @@ Cube makeCube(VoxelRay v, ivec3 low, int side) {
 // Of the eight directions, a bit per axis, the one that the ray goes in.
 uint octantOf(VoxelRay v) { return uint(v.ahead.x | v.ahead.y << 1 | v.ahead.z << 2); }
 
-// The brick around a voxel, or the empty cube that it begins on the ray's way.
-Cube brickCube(VoxelRay v, uint octant, ivec3 voxel, uint state) {
-  int side = emptyBrick(state) ? emptySide(state, octant) : 1;
+// Cubes of whole bricks, the first of which is that of a voxel: the brick, or the empty cube that it begins on the ray's
+// way.
+Cube bricksAhead(VoxelRay v, ivec3 voxel, int side) {
   ivec3 low = brickOf(voxel) - (side - 1) * (1 - v.ahead);
   return makeCube(v, low << BRICK_SHIFT, side << BRICK_SHIFT);
+}
+Cube brickCube(VoxelRay v, ivec3 voxel) { return bricksAhead(v, voxel, 1); }
+Cube emptyCube(VoxelRay v, uint octant, ivec3 voxel, uint state) {
+  return bricksAhead(v, voxel, emptySide(state, octant));
 }
 
 float exitOf(Cube cube) { return min(cube.crossings.x, min(cube.crossings.y, cube.crossings.z)); }
@@ -57,4 +62,11 @@ ivec3 voxelBehind(VoxelRay v, Cube cube) {
   bool x = c.x <= c.y && c.x <= c.z, y = !x && c.y <= c.z;
   ivec3 last = clamp(voxelAt(v, exitOf(cube)), cube.low, cube.low + (cube.side - 1));
   return mix(last, cube.low + v.ahead * (cube.side + 1) - 1, bvec3(x, y, !x && !y));
+}
+
+// What the halves of the ray's way through a voxel, from `t` to `exit`, lie in: boxes as entries have them.
+uvec2 boxesOf(VoxelRay v, ivec3 voxel, float t, float exit) {
+  vec3 from = v.origin + v.direction * t - vec3(voxel), to = v.origin + v.direction * exit - vec3(voxel);
+  vec3 middle = 0.5 * (from + to);
+  return uvec2(boxBits(min(from, middle), max(from, middle)), boxBits(min(middle, to), max(middle, to)));
 }
