@@ -146,7 +146,9 @@ int TracePass::run(const FrameView& view, const RayQueue& rays, const Hits& hits
     prepare(rays, true);
     if (more && structure.supply) {
       structure.supply([&](const gl::Program& program) {
+        const auto scope = view.profiler.section("trace");
         bind(view, rays, hits);
+        structure.bind();
         program.use();
         dispatchRays();
         api_->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);  // what waiting rays ask for is read by what makes it

@@ -14,11 +14,11 @@ static_assert(offsetof(BrickWork, triangleGroupsX) == 24);
 static_assert(offsetof(BrickWork, buildGroupsX) == 36);
 static_assert(offsetof(BrickWork, groupsPerBuildX) == 48);
 static_assert(offsetof(BrickWork, buildCount) == 64);
-static_assert(offsetof(BrickWork, requestedBricks) == 72);
-static_assert(offsetof(BrickWork, waitingWords) == 76);
-static_assert(offsetof(BrickWork, longestWaiting) == 80);
-static_assert(offsetof(BrickWork, usedWords) == 84);
-static_assert(offsetof(BrickWork, staleHeaderWords) == 100);
+static_assert(offsetof(BrickWork, requestedBricks) == 80);
+static_assert(offsetof(BrickWork, waitingWords) == 84);
+static_assert(offsetof(BrickWork, longestWaiting) == 88);
+static_assert(offsetof(BrickWork, usedWords) == 92);
+static_assert(offsetof(BrickWork, staleHeaderWords) == 108);
 static_assert(sizeof(BrickWork) == 112);
 
 }  // namespace halfsilver::shared

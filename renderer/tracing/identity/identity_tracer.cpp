@@ -90,11 +90,10 @@ void IdentityTracer::trace(const FrameView& view, const RayQueue& rays, Hits& hi
   store_.grid().apply(request_);
   request_.set("maxRequests", RunBuilder::kMaxRequests);
   structure.supply = [&](const auto& overWaiting) {
-    const auto scope = view.profiler.section("build");
     request_.set("lookAhead", lookAhead);
     lookAhead = std::min(2 * lookAhead, kMaxLookAhead);
-    store_.bind();
     overWaiting(request_);
+    const auto scope = view.profiler.section("build");
     builder_.buildRequested(view.scene, store_);
   };
   gl::Readback::Slice<shared::BrickWork> work;

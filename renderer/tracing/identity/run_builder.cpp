@@ -38,6 +38,7 @@ RunBuilder::RunBuilder(const gl::Api& api)
       listRequested_(gl::Program::compute(api, "tracing/identity/list_requested.comp")),
       collectBlocks_(gl::Program::compute(api, "tracing/identity/collect_blocks.comp")),
       collectRequested_(gl::Program::compute(api, "tracing/identity/collect_requested.comp")),
+      sizeRuns_(gl::Program::compute(api, "tracing/identity/size_runs.comp")),
       placeRuns_(gl::Program::compute(api, "tracing/identity/place_runs.comp")),
       finishBricks_(gl::Program::compute(api, "tracing/identity/finish_bricks.comp")),
       build_(makeVisit(api, "build")),
@@ -100,6 +101,7 @@ void RunBuilder::buildRequested(const GpuScene& scene, const RunStore& store) {
   dispatchForBuilds(collectRequested_, offsetof(shared::BrickWork, triangleGroupsX), store);
 
   visitBuilds(false, scene, store);
+  dispatchForBuilds(sizeRuns_, offsetof(shared::BrickWork, buildGroupsX), store);
   dispatchForBuilds(placeRuns_, offsetof(shared::BrickWork, buildGroupsX), store);
   visitBuilds(true, scene, store);
   store.grid().apply(finishBricks_);

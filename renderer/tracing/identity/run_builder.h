@@ -54,7 +54,8 @@ class RunBuilder {
   void dispatchForBuilds(const gl::Program& program, std::size_t arguments, const RunStore& store) const;
 
   const gl::Api* api_;
-  gl::Program boundBlocks_, beginBuild_, listRequested_, collectBlocks_, collectRequested_, placeRuns_, finishBricks_;
+  gl::Program boundBlocks_, beginBuild_, listRequested_, collectBlocks_, collectRequested_, sizeRuns_, placeRuns_,
+      finishBricks_;
   Visit build_;
   gl::Program collectMoved_, giveUpMoved_;  // made with the first move
   Visit markMoved_;                         // likewise

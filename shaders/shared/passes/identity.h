@@ -53,6 +53,8 @@ struct BrickWork {
   uint groupsPerBuildZ;
   uint wantedBlocks;
   uint buildCount;
+  uint firstWord;        // behind the runs of earlier builds
+  uint buildWords;       // of their runs, at most MAX_WAITING_WORDS each
   uint nextWord;         // behind the runs that have been placed, and beyond if one found no room
   uint requestedBricks;  // since the last build
   uint waitingWords;     // of runs that found no room, at most MAX_WAITING_WORDS each
@@ -62,10 +64,8 @@ struct BrickWork {
   uint longestRun;       // words
   uint staleWords;       // of runs that were given up
   uint staleHeaderWords;  // of these, before the entries
-  uint padding0;
-  uint padding1;
 };
-// Keeps the sum of waiting words in a word.
+// Keeps a sum of words in a word.
 #define MAX_WAITING_WORDS 0x1ffffu
 
 #endif

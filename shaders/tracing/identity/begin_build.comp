@@ -23,7 +23,8 @@ void main() {
   uint count = room ? min(brickWork.requestedBricks, maxRequests) : 0u;
   if (room) brickWork.requestedBricks = 0u;
   brickWork.buildCount = count;
-  brickWork.nextWord = brickWork.usedWords;
+  brickWork.buildWords = 0u;
+  brickWork.firstWord = brickWork.nextWord = brickWork.usedWords;
   uvec3 groups = groupsFor(count > 0u ? brickCount : 0u);
   brickWork.brickGroupsX = groups.x;
   brickWork.brickGroupsY = groups.y;

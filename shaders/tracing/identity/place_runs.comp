@@ -12,7 +12,9 @@ layout(local_size_x = 64) in;
 // any, and runs have no gaps between them.
 uint reserve(uint words) {
   uint capacity = uint(runs.length()), run = capacity;
-  if (brickWork.nextWord < capacity) run = atomicAdd(brickWork.nextWord, words);
+  // All runs of the build or none: some of them would be others each time.
+  bool room = brickWork.firstWord + brickWork.buildWords <= capacity;
+  if (room && brickWork.nextWord < capacity) run = atomicAdd(brickWork.nextWord, words);
   if (run < capacity && words <= capacity - run) {
     atomicMax(brickWork.usedWords, run + words);
     return run;
@@ -25,13 +27,8 @@ uint reserve(uint words) {
 void main() {
   uint build = gl_GlobalInvocationID.x + gl_GlobalInvocationID.y * gl_NumWorkGroups.x * gl_WorkGroupSize.x;
   if (build >= brickWork.buildCount) return;
-  uint lists = 0u, entries = 0u;
-  for (uint i = 0u; i < VOXELS_PER_BRICK; ++i) {
-    uint count = builds[build].next[i];
-    lists += count > 0u ? 1u : 0u;
-    entries += count;
-  }
-  uint words = 2u + lists + entries, run = reserve(words);
+  uvec2 sum = listsAndEntries(build);
+  uint lists = sum.x, words = wordsOf(sum), run = reserve(words);
   builds[build].run = run;
   if (run == BRICK_MISSING) {
     bricks[builds[build].brick] = BRICK_MISSING;  // nothing is to be stored
