@@ -120,7 +120,7 @@ bool RunStore::makeRoom(std::uint64_t besides) {
   // More will be asked for, and each time that the pool grows is a wait; fit() gives back what was too much.
   const std::uint64_t waiting = std::max(known_.waitingWords, known_.longestWaiting);
   const std::uint64_t wanted =
-      std::min(maxCapacity(), std::max(times(kGrowth, capacity()), times(2, known_.usedWords + waiting)));
+      std::min(maxCapacity(), std::max(times(kGrowth, capacity()), times(kGrowth, known_.usedWords + waiting)));
   if (wanted <= capacity()) {
     lost_ = waiting;
     return false;

@@ -71,7 +71,8 @@ bool march(TraceRay ray, float end, inout PausedRay pause, inout Hit best) {
           else
             cube = makeCube(v, voxel & ~(side - 1), side);
           exit = max(t, min(exitOf(cube), end));
-          boxes = boxesOf(v, cube.low, t, exit);
+          // A voxel that was begun was entered before its middle, where the ray goes on.
+          boxes = tested > 0u ? uvec2(~0u) : boxesOf(v, cube.low, t, exit);
           first = list.x;
           list.x += tested;
           tested = 0u;
