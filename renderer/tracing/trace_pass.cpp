@@ -58,15 +58,20 @@ TracePass::TracePass(const gl::Api& api, const TraceSettings& settings, const st
       vertexArray_(api),
       look_(api) {}
 
-void TracePass::dispatchRays() const {
+void TracePass::dispatchWaiting() const {
   api_->BindBuffer(GL_DISPATCH_INDIRECT_BUFFER, resumeWork_.name());
   api_->DispatchComputeIndirect(offsetof(shared::Resume, groupsX));
 }
 
-void TracePass::dispatch(const RayQueue& rays) const {
+void TracePass::dispatch(const RayQueue& rays, bool resuming) const {
   program_.use();
   if (settings_.stage == TraceStage::compute) {
-    dispatchRays();
+    if (resuming) {
+      dispatchWaiting();
+    } else {
+      api_->BindBuffer(GL_DISPATCH_INDIRECT_BUFFER, rays.count.name());
+      api_->DispatchComputeIndirect(0);
+    }
   } else {
     // Fragments beyond the queue's count end at once; the count itself stays on the GPU.
     const auto rowLength = static_cast<GLuint>(std::min(api_->limits.framebufferSize, 8192));
@@ -76,8 +81,12 @@ void TracePass::dispatch(const RayQueue& rays) const {
     gl::DrawState{.viewport = {0, 0, rowLength, rows}}.apply(*api_);
     vertexArray_.bind();
     program_.set("rowLength", rowLength);
-    api_->BindBuffer(GL_DRAW_INDIRECT_BUFFER, resumeWork_.name());
-    api_->DrawArraysIndirect(GL_TRIANGLES, nullptr);
+    if (resuming) {
+      api_->BindBuffer(GL_DRAW_INDIRECT_BUFFER, resumeWork_.name());
+      api_->DrawArraysIndirect(GL_TRIANGLES, nullptr);
+    } else {
+      api_->DrawArrays(GL_TRIANGLES, 0, 3);
+    }
   }
   // Hits and counts (trace) are read by the next dispatch, by shading and by the host.
   api_->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
@@ -93,8 +102,8 @@ void TracePass::bind(const FrameView& view, const RayQueue& rays, const Hits& hi
   if (work_) work_.bindStorage(SSBO_RAY_WORK);
 }
 
-void TracePass::prepare(const RayQueue& rays, bool resuming) const {
-  resume_.set("resuming", resuming ? 1 : 0);
+void TracePass::prepareResume(const FrameView& view, const RayQueue& rays) const {
+  const auto scope = view.profiler.section("trace");
   rays.count.bindStorage(SSBO_RAY_COUNT);
   resumeWork_.bindStorage(SSBO_RESUME);
   resume_.use();
@@ -115,7 +124,6 @@ int TracePass::run(const FrameView& view, const RayQueue& rays, const Hits& hits
   // The queue (selection, shading) is read as arguments of the dispatch and by the trace.
   api_->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
   program_.set("workLimit", limited ? kSoftwareWorkLimit : std::numeric_limits<int>::max());
-  prepare(rays, false);
   bool more = !once;
   int untilLook = dispatches, between = dispatches;
   for (int i = 1;; ++i) {
@@ -126,7 +134,7 @@ int TracePass::run(const FrameView& view, const RayQueue& rays, const Hits& hits
       structure.bind();
       program_.set("resuming", i > 1 ? 1 : 0);
       program_.set("lastDispatch", last ? 1 : 0);
-      dispatch(rays);
+      dispatch(rays, i > 1);
     }
     if (last) return i;
     if (--untilLook == 0) {
@@ -143,14 +151,14 @@ int TracePass::run(const FrameView& view, const RayQueue& rays, const Hits& hits
       if (done) return 1 + static_cast<int>(look_.values(times)[0]);
       untilLook = between *= 2;
     }
-    prepare(rays, true);
+    prepareResume(view, rays);
     if (more && structure.supply) {
       structure.supply([&](const gl::Program& program) {
         const auto scope = view.profiler.section("trace");
         bind(view, rays, hits);
         structure.bind();
         program.use();
-        dispatchRays();
+        dispatchWaiting();
         api_->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);  // what waiting rays ask for is read by what makes it
       });
     }

@@ -51,9 +51,9 @@ class TracePass {
 
  private:
   void bind(const FrameView& view, const RayQueue& rays, const Hits& hits) const;
-  void dispatchRays() const;
-  void dispatch(const RayQueue& rays) const;
-  void prepare(const RayQueue& rays, bool resuming) const;
+  void dispatchWaiting() const;
+  void dispatch(const RayQueue& rays, bool resuming) const;
+  void prepareResume(const FrameView& view, const RayQueue& rays) const;
 
   const gl::Api* api_;
   TraceSettings settings_;

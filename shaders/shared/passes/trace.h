@@ -10,7 +10,7 @@
 // Invocations per group of dispatches over rays.
 #define TRACE_GROUP 64
 
-// The next dispatch of a trace, over all rays or those that the last one left: nothing if all are through.
+// The next dispatch of a trace, over the rays that the last one left: nothing if all are through.
 struct Resume {
   uint vertices;  // an indirect draw: the stage is fragments
   uint instances;

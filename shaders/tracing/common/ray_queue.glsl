@@ -21,7 +21,7 @@ layout(std430, binding = SSBO_RESUME) buffer ResumeBlock {
 };
 
 // Rays that this dispatch has to trace, and the index of one of them.
-uint raysToTrace() { return resume.count; }
+uint raysToTrace() { return resuming == 1 ? resume.count : rayCount.count; }
 uint rayToTrace(uint number) { return resuming == 1 ? waiting[resume.readFrom + number] : number; }
 
 TraceRay loadRay(uint index) {

@@ -1,5 +1,4 @@
-// Before each dispatch of a trace: the first one goes over all rays, the others over those that are unfinished. One
-// invocation.
+// Between two dispatches of a trace: the next one goes over the rays that are unfinished. One invocation.
 #include "shared/bindings.h"
 #include "shared/passes/trace.h"
 #include "shared/rays.h"
@@ -10,12 +9,11 @@ layout(std430, binding = SSBO_RESUME) buffer ResumeBlock {
   Resume resume;
   uint waiting[];
 };
-uniform int resuming;
 
 void main() {
-  uint count = resuming == 1 ? rayCount.unfinished : rayCount.count;
+  uint count = rayCount.unfinished;
   resume.count = count;
-  resume.times += resuming == 1 && count > 0u ? 1u : 0u;
+  resume.times += count > 0u ? 1u : 0u;
   resume.vertices = count > 0u ? 3u : 0u;
   resume.instances = 1u;
   resume.firstVertex = resume.firstInstance = 0u;
@@ -24,8 +22,7 @@ void main() {
   resume.groupsX = min(groups, 65535u);
   resume.groupsY = (groups + 65534u) / 65535u;
   resume.groupsZ = 1u;
-  uint other = uint(waiting.length()) / 2u;
-  resume.readFrom = resuming == 1 ? resume.writeTo : other;
-  resume.writeTo = other - resume.readFrom;
+  resume.readFrom = resume.writeTo;
+  resume.writeTo = uint(waiting.length()) / 2u - resume.readFrom;
   rayCount.unfinished = 0u;
 }
