@@ -64,12 +64,12 @@ struct RayWork {
   uint tests;  // of triangles, or texels looked at
 };
 
-// A ray that waits for the next dispatch, at the ray's index; Hit::triangle is then UNFINISHED_TRIANGLE.
+// A ray that waits for the next dispatch, at the ray's index.
 struct PausedRay {
   float t;            // where to go on, meters
   uint bestTriangle;  // nearest so far + 1, or 0
   uint tested;        // candidates of the voxel at t that are done
-  uint incomplete;    // 1 if the ray came by something that is missing from the structure
+  uint own;           // the method's own
 };
 
 // Surface attributes of a hit as a method stored them (Kastrati & Goswami 2017, figure 2).

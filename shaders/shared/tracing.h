@@ -20,7 +20,4 @@
 // Fixed-point scale of the sums of normals in a voxel.
 #define NORMAL_SCALE 4096.0
 
-// Hit::triangle of a ray that a dispatch left unfinished; its PausedRay says how to go on.
-#define UNFINISHED_TRIANGLE 0xfffffffeu
-
 #endif

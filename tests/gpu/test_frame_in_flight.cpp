@@ -127,6 +127,23 @@ TEST_P(OverlappingFrames, AreThoseThatFollowEachOther) {
   }
 }
 
+// A frame that begins like the one under way knows nothing yet of that one's later rays, nor may it speak for them.
+TEST_F(FrameInFlight, ThatBeginsLikeTheOneBeforeFindsAllHits) {
+  const auto [a, b] = views("identity");
+  Renderer alone = makeRenderer(scene_);
+  const Frame expected = render(alone, b);
+  Renderer renderer = makeRenderer(scene_);
+  begin(renderer, a);
+  begin(renderer, b);
+  finish(renderer, a);
+  begin(renderer, b);
+  for (int i = 0; i < 2; ++i) {
+    finish(renderer, b);
+    EXPECT_TRUE(renderer.readLayers().data == expected.layers.data) << i;
+    EXPECT_EQ(renderer.report().overflow, 0u) << i;
+  }
+}
+
 // Always one frame ahead, as a window does it.
 TEST_P(OverlappingFrames, CanBeKeptUnderWay) {
   const auto [a, b] = views(GetParam());
@@ -149,7 +166,8 @@ TEST_P(OverlappingFrames, CanBeKeptUnderWay) {
   expectSameCounts(ahead.report(), first.report);
 }
 
-INSTANTIATE_TEST_SUITE_P(AllMethods, OverlappingFrames, ::testing::Values("exact", "identity", "bvh", "attributes", "none"),
+INSTANTIATE_TEST_SUITE_P(AllMethods, OverlappingFrames,
+                         ::testing::Values("exact", "identity", "bvh", "attributes", "none"),
                          [](const auto& method) { return std::string(method.param); });
 
 TEST_F(FrameInFlight, AThirdFrameIsRefusedAndTheTwoGoOn) {

@@ -169,7 +169,8 @@ TEST_P(KeptStructureTest, OnlyMovesBuild) {
   EXPECT_FALSE(builds()) << "the object stands still";
 }
 
-INSTANTIATE_TEST_SUITE_P(AllMethods, SceneChangeTest, ::testing::Values("exact", "identity", "bvh", "attributes", "auto"),
+INSTANTIATE_TEST_SUITE_P(AllMethods, SceneChangeTest,
+                         ::testing::Values("exact", "identity", "bvh", "attributes", "auto"),
                          [](const auto& method) { return std::string(method.param); });
 INSTANTIATE_TEST_SUITE_P(KeepingMethods, KeptStructureTest, ::testing::Values("exact", "identity", "bvh", "auto"),
                          [](const auto& method) { return std::string(method.param); });

@@ -105,7 +105,7 @@ static_assert(sizeof(Hit) == 16);
 HALFSILVER_AT(PausedRay, t, 0);
 HALFSILVER_AT(PausedRay, bestTriangle, 4);
 HALFSILVER_AT(PausedRay, tested, 8);
-HALFSILVER_AT(PausedRay, incomplete, 12);
+HALFSILVER_AT(PausedRay, own, 12);
 static_assert(sizeof(PausedRay) == 16);
 
 HALFSILVER_AT(HitSurface, baseColor, 0);

@@ -36,11 +36,10 @@ void IdentityTracer::update(const FrameView& view, const SceneChange& change) {
   store_.beginFrame();
   builder_.beginFrame();
   const bool kept = keep_ && built_ && store_.complete() && !change.topology;
-  // Then rays are those of the last frame, and all that they need is there.
-  repeated_ = kept && !change.any() && std::memcmp(&frame_, &view.frame, sizeof(frame_)) == 0;
-  frame_ = view.frame;
-  traces_ = 0;
-  if (!repeated_) dispatches_.clear();
+  if (!kept || change.any())
+    for (Traces& each : traces_) each.dispatches.assign(each.count, 0);  // not known any more
+  latest_ = (latest_ + 1) % traces_.size();
+  traces_[latest_] = {&view.constants, view.frame, 0, {}};
   dispatchesToLook_ = kKeptDispatches;
   firstLookAhead_ = kKeptLookAhead;
   if (kept && change.moved.empty()) return;
@@ -77,11 +76,20 @@ void IdentityTracer::trace(const FrameView& view, const RayQueue& rays, Hits& hi
     store_.bind();
     store_.bindOuter();
   };
-  const std::size_t number = traces_++;
-  if (repeated_ && number < dispatches_.size()) {
-    structure.dispatches = dispatches_[number];
+  std::size_t own = latest_;  // a later frame may have begun
+  for (std::size_t i = 1; i < traces_.size() && traces_[own].constants != &view.constants; ++i)
+    own = (own + traces_.size() - 1) % traces_.size();
+  Traces& traces = traces_[own];
+  const std::size_t number = traces.count++;
+  // Equal constants make equal rays, and all that those need is there.
+  for (const Traces& each : traces_) {
+    if (number >= each.dispatches.size() || each.dispatches[number] == 0) continue;
+    if (std::memcmp(&each.frame, &traces.frame, sizeof(each.frame)) != 0) continue;
+    structure.dispatches = each.dispatches[number];
     structure.certain = true;
-    tracePass_.run(view, rays, hits, structure);
+  }
+  if (structure.certain) {
+    traces.dispatches.push_back(tracePass_.run(view, rays, hits, structure));
     return;
   }
 
@@ -102,12 +110,12 @@ void IdentityTracer::trace(const FrameView& view, const RayQueue& rays, Hits& hi
     const auto scope = view.profiler.section("build");
     store_.follow(readback.values(work)[0]);
     // Later generations of rays will ask for more.
-    if (done && traces_ >= view.frame.bounces) store_.fit(builder_.bytes());
+    if (done && traces.count >= view.frame.bounces) store_.fit(builder_.bytes());
     return done || store_.makeRoom(builder_.bytes());
   };
   built_ = false;  // a build that fails half way leaves nothing to keep
   builder_.begin(view.scene, store_);
-  dispatches_.push_back(tracePass_.run(view, rays, hits, structure));
+  traces.dispatches.push_back(tracePass_.run(view, rays, hits, structure));
   built_ = true;
   builder_.releaseMemory();
 }

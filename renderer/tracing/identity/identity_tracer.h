@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include <halfsilver/settings.h>
@@ -41,13 +42,18 @@ class IdentityTracer final : public Tracer {
   TracePass tracePass_;
   bool built_ = false;  // for the geometry of the last update
 
-  // Of this frame.
-  shared::FrameConstants frame_{};
-  bool repeated_ = false;        // it has the rays of the last one
-  std::size_t traces_ = 0;       // so far
-  std::vector<int> dispatches_;  // of each trace, that had something to do
-  int dispatchesToLook_ = 0;     // see TracePass::Structure
-  int firstLookAhead_ = 0;       // bricks
+  // Of the last frames. Those under way are known by the buffer of their constants.
+  struct Traces {
+    const gl::Buffer* constants = nullptr;
+    shared::FrameConstants frame{};
+    std::size_t count = 0;        // so far
+    std::vector<int> dispatches;  // of each trace, that had something to do; 0: the structure has changed since
+  };
+  std::array<Traces, 4> traces_;
+  std::size_t latest_ = 0;  // the frame begun last
+
+  int dispatchesToLook_ = 0;  // see TracePass::Structure
+  int firstLookAhead_ = 0;    // bricks
 };
 
 }  // namespace halfsilver

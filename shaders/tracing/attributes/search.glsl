@@ -83,7 +83,7 @@ void searchBuffer(TraceRay ray, int axis, float begin, float end, inout Hit best
 // From voxel to voxel until one answers: one surface per voxel is the methods' assumption, and the first one found ends
 // the search. False if the ray is not through; `pause` then says how to go on.
 bool march(TraceRay ray, float end, inout PausedRay pause, inout Hit best) {
-  incomplete = pause.incomplete != 0u;
+  incomplete = pause.own != 0u;
   float t = pause.t;
   int work = 0;
   bool yielded = false;
@@ -102,7 +102,7 @@ bool march(TraceRay ray, float end, inout PausedRay pause, inout Hit best) {
     }
   }
   pause.t = t;
-  pause.incomplete = incomplete ? 1u : 0u;
+  pause.own = incomplete ? 1u : 0u;
   return !(cut || yielded || going);
 }
 

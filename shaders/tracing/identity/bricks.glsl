@@ -1,7 +1,8 @@
 // Structure of the identity method: bricks of BRICK_SIDE^3 voxels, each with its lists in one run of words, made when a
 // ray first asks for it. A run: which voxels have lists (two words, a bit each), where their entries end, counted from
-// the first entry (a word per list), and the entries, which are triangle numbers. A list holds the fragments of all
-// three A-buffers, whose texels and depths are the voxels', side by side. Programs that write runs define RUN_ACCESS, those that only read states BRICK_ACCESS, before anything else.
+// the first entry (a word per list), and the entries (see entry.glsl). A list holds the fragments of all three
+// A-buffers, whose texels and depths are the voxels', side by side. Programs that write runs define RUN_ACCESS, and
+// those that only read states BRICK_ACCESS, before anything else.
 #include "shared/passes/identity.h"
 #include "tracing/common/grid.glsl"
 

@@ -25,7 +25,7 @@ void main() {
   VoxelRay walk = makeVoxelRay(ray);
   uint octant = octantOf(walk);
   float end = min(gridRange(ray).y, ray.most);
-  ivec3 voxel = clamp(voxelAt(walk, paused[index].t), ivec3(0), voxelCount - 1);
+  ivec3 voxel = resumedVoxel(walk, paused[index]);
   int left = lookAhead;
   bool going = true;
   while (going) {

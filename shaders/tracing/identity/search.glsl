@@ -35,9 +35,9 @@ void sift(TraceRay ray, uvec2 boxes, bool going, inout uvec2 list, inout uint re
 bool march(TraceRay ray, float end, inout PausedRay pause, inout Hit best) {
   VoxelRay v = makeVoxelRay(ray);
   uint octant = octantOf(v);
-  float t = pause.t, exit = t;
+  float t = pause.t, exit = t;  // where the ray enters and leaves the cube
   uint tested = pause.tested;
-  ivec3 voxel = clamp(voxelAt(v, t), ivec3(0), voxelCount - 1);
+  ivec3 voxel = resumedVoxel(v, pause);
   Cube cube = Cube(voxel, 1, vec3(0.0));  // the voxel, or a larger cube if that is empty
   uvec2 list = uvec2(0u);                 // what is left of the voxel's entries
   uint first = 0u;                        // where they begin
@@ -45,9 +45,9 @@ bool march(TraceRay ray, float end, inout PausedRay pause, inout Hit best) {
   uint outerLeft = outerCount;
   uint candidate = pause.bestTriangle - 1u;  // that may be a hit
   int work = 0;
-  bool going = t <= end || tested > 0u;  // a voxel that was begun is done to its end
-  bool entered = false, missing = false, yielded = false;
-  while (going || outerLeft > 0u || candidate != NO_TRIANGLE) {
+  bool going = t <= end;
+  bool entered = false, missing = false;
+  while ((going && work < workLimit) || outerLeft > 0u || candidate != NO_TRIANGLE) {
     if (candidate == NO_TRIANGLE && outerLeft > 0u) candidate = outer[--outerLeft];
     while (going && candidate == NO_TRIANGLE && work < workLimit) {
       if (list.x == list.y) {
@@ -71,8 +71,7 @@ bool march(TraceRay ray, float end, inout PausedRay pause, inout Hit best) {
           else
             cube = makeCube(v, voxel & ~(side - 1), side);
           exit = max(t, min(exitOf(cube), end));
-          // A voxel that was begun was entered before its middle, where the ray goes on.
-          boxes = tested > 0u ? uvec2(~0u) : boxesOf(v, cube.low, t, exit);
+          boxes = boxesOf(v, cube.low, t, exit);
           first = list.x;
           list.x += tested;
           tested = 0u;
@@ -93,22 +92,11 @@ bool march(TraceRay ray, float end, inout PausedRay pause, inout Hit best) {
     }
     if (candidate != NO_TRIANGLE) testCandidate(ray, candidate, best);
     candidate = NO_TRIANGLE;
-    if (going && work >= workLimit) {
-      // From the middle of its stretch the walk begins in this cube again, but for the shortest stretches: there is no
-      // telling where rounding puts them. Those are done first.
-      float middle = 0.5 * (t + exit);
-      yielded = contains(cube, voxelAt(v, middle));
-      if (yielded) {
-        t = middle;
-        tested = list.x - first;
-        going = false;
-      } else {
-        --work;
-      }
-    }
   }
-  pause = PausedRay(t, best.t < farAway ? best.triangle + 1u : 0u, tested, 0u);
-  return !(missing || yielded || going);
+  // A loop that the driver has cut may leave the last entry without its exact test.
+  tested = going ? list.x - first - (candidate != NO_TRIANGLE ? 1u : 0u) : 0u;
+  pause = PausedRay(t, best.t < farAway ? best.triangle + 1u : 0u, tested, packVoxel(voxel));
+  return !going && !missing && outerLeft == 0u && candidate == NO_TRIANGLE;
 }
 
 void storeSurface(uint index, Hit hit) {}

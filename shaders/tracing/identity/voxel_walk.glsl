@@ -24,7 +24,17 @@ VoxelRay makeVoxelRay(TraceRay ray) {
   return v;
 }
 
-ivec3 voxelAt(VoxelRay v, float t) { return ivec3(floor(v.origin + v.direction * t)); }
+ivec3 voxelAt(VoxelRay v, float t) {
+  precise vec3 at = v.origin + v.direction * t;
+  return ivec3(floor(at));
+}
+
+// A waiting ray keeps its voxel (at most 512 along an axis), so that it comes back to it whatever rounding makes of t.
+uint packVoxel(ivec3 voxel) { return 0x80000000u | uint(voxel.x | voxel.y << 10 | voxel.z << 20); }
+ivec3 resumedVoxel(VoxelRay v, PausedRay pause) {
+  if (pause.own != 0u) return (ivec3(pause.own) >> ivec3(0, 10, 20)) & 0x3ff;
+  return clamp(voxelAt(v, pause.t), ivec3(0), voxelCount - 1);
+}
 
 bool inGrid(ivec3 voxel) { return all(lessThan(uvec3(voxel), uvec3(voxelCount))); }
 
@@ -35,7 +45,9 @@ struct Cube {
 };
 
 Cube makeCube(VoxelRay v, ivec3 low, int side) {
-  return Cube(low, side, vec3(low + v.ahead * side) * v.inverse + v.offset);
+  // Every program must find the same way.
+  precise vec3 crossings = vec3(low + v.ahead * side) * v.inverse + v.offset;
+  return Cube(low, side, crossings);
 }
 
 // Of the eight directions, a bit per axis, the one that the ray goes in.
@@ -53,8 +65,6 @@ Cube emptyCube(VoxelRay v, uint octant, ivec3 voxel, uint state) {
 }
 
 float exitOf(Cube cube) { return min(cube.crossings.x, min(cube.crossings.y, cube.crossings.z)); }
-
-bool contains(Cube cube, ivec3 voxel) { return all(lessThan(uvec3(voxel - cube.low), uvec3(cube.side))); }
 
 // The first voxel behind the cube, which may be outside the grid.
 ivec3 voxelBehind(VoxelRay v, Cube cube) {
