@@ -256,8 +256,7 @@ void Renderer::Impl::noteChange(const SceneChange& changed) {
 
 void Renderer::Impl::upload(const Scene& wanted, const SceneChange& changed) {
   try {
-    const std::vector<Bounds> moved = updateScene(api, scene, wanted, changed);
-    shadowChange.moved.insert(shadowChange.moved.end(), moved.begin(), moved.end());
+    shadowChange.add(updateScene(api, scene, wanted, changed));
   } catch (...) {
     noteChange(changed);  // some of it may have been written
     shadowChange.everything = true;
@@ -385,12 +384,19 @@ Image Renderer::readLayers() const {
 
 std::vector<RayWork> Renderer::readRayWork() {
   Impl& r = *impl_;
-  if (!r.reported) throw Error(ErrorKind::usage, "readRayWork() needs a finished frame: call render() first");
+  if (!r.shown || !r.reported)
+    throw Error(ErrorKind::usage, "readRayWork() needs a finished frame of the present scene: call render() first");
   const gl::StateGuard guard(r.api);
   const gl::Buffer* work = r.tracer ? r.tracer->rayWork() : nullptr;
   if (!work) return {};
+  // The tracer keeps the work of the queue that it traced last.
+  if (!r.underWay.empty()) throw Error(ErrorKind::usage, "readRayWork(): a frame is under way, finish() it first");
+  const Frame& frame = r.frames[*r.shown];
+  if (frame.batches.size() > 1 || r.effect->generations(frame.settings) > 1)
+    throw Error(ErrorKind::usage, "readRayWork() needs a frame of one bounce whose rays come in one batch");
   static_assert(sizeof(RayWork) == sizeof(shared::RayWork));
-  return work->read<RayWork>(r.records[*r.reported].report().selected);
+  const std::uint64_t rays = r.records[*r.reported].report().selected;
+  return work->read<RayWork>(std::min<std::size_t>(rays, work->bytes() / sizeof(RayWork)));
 }
 
 }  // namespace halfsilver

@@ -31,6 +31,8 @@ struct GlWatch::Watcher {
   PFNGLDRAWARRAYSPROC DrawArrays = nullptr;
   PFNGLDRAWARRAYSINSTANCEDPROC DrawArraysInstanced = nullptr;
   PFNGLDRAWARRAYSINDIRECTPROC DrawArraysIndirect = nullptr;
+  PFNGLMULTIDRAWARRAYSPROC MultiDrawArrays = nullptr;
+  PFNGLMULTIDRAWELEMENTSPROC MultiDrawElements = nullptr;
   PFNGLPUSHDEBUGGROUPPROC PushDebugGroup = nullptr;
   PFNGLPOPDEBUGGROUPPROC PopDebugGroup = nullptr;
 };
@@ -75,6 +77,15 @@ void APIENTRY watchDrawArraysIndirect(GLenum mode, const void* indirect) {
   ++watcher->work.draws;
   watcher->DrawArraysIndirect(mode, indirect);
 }
+void APIENTRY watchMultiDrawArrays(GLenum mode, const GLint* firsts, const GLsizei* counts, GLsizei draws) {
+  ++watcher->work.draws;
+  watcher->MultiDrawArrays(mode, firsts, counts, draws);
+}
+void APIENTRY watchMultiDrawElements(GLenum mode, const GLsizei* counts, GLenum type, const void* const* indices,
+                                     GLsizei draws) {
+  ++watcher->work.draws;
+  watcher->MultiDrawElements(mode, counts, type, indices, draws);
+}
 void APIENTRY watchPushDebugGroup(GLenum source, GLuint id, GLsizei length, const GLchar* message) {
   watcher->PushDebugGroup(source, id, length, message);
   const std::string name = length < 0 ? std::string(message) : std::string(message, static_cast<std::size_t>(length));
@@ -116,6 +127,8 @@ gl::GetProcAddress GlWatch::getProcAddress() const {
     watch("glDrawArrays", watcher->DrawArrays, watchDrawArrays);
     watch("glDrawArraysInstanced", watcher->DrawArraysInstanced, watchDrawArraysInstanced);
     watch("glDrawArraysIndirect", watcher->DrawArraysIndirect, watchDrawArraysIndirect);
+    watch("glMultiDrawArrays", watcher->MultiDrawArrays, watchMultiDrawArrays);
+    watch("glMultiDrawElements", watcher->MultiDrawElements, watchMultiDrawElements);
     watch("glPushDebugGroup", watcher->PushDebugGroup, watchPushDebugGroup);
     watch("glPopDebugGroup", watcher->PopDebugGroup, watchPopDebugGroup);
     return result;

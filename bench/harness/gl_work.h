@@ -11,8 +11,8 @@ namespace halfsilver::bench {
 
 // What a program asked of GL.
 struct GlWork {
-  std::uint64_t dispatches = 0, draws = 0;
-  std::uint64_t waits = 0;  // calls that let the host wait for the GPU
+  std::uint64_t dispatches = 0, draws = 0;  // calls; one that draws many ranges is one
+  std::uint64_t waits = 0;                  // calls that let the host wait for the GPU
   // Milliseconds of all of the process's threads between the begin and the end of a debug group, by its name. On a
   // software rasterizer, which runs a dispatch at once, that is what the dispatch cost.
   std::map<std::string, double> cpu;

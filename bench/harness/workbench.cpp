@@ -77,6 +77,15 @@ void Workbench::forget() {
   }
 }
 
+std::vector<RayWork> Workbench::rayWork() {
+  try {
+    return renderer_->readRayWork();
+  } catch (const Error& error) {
+    if (error.kind() != ErrorKind::usage) throw;
+    return {};
+  }
+}
+
 void Workbench::drawNext(const BenchScene& scene, RunStatistics& run) {
   watch_.take();
   renderer_->render(scene.camera, run.settings, target_.target());

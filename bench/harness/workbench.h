@@ -45,8 +45,8 @@ class Workbench {
   // Of the current scene.
   void moveVertices(const BenchScene& scene, std::span<const VertexRange> ranges);
 
-  // Of the last frame; see Renderer::readRayWork().
-  std::vector<RayWork> rayWork() { return renderer_->readRayWork(); }
+  // Of the last frame, see Renderer::readRayWork(); empty if its rays came in several batches.
+  std::vector<RayWork> rayWork();
 
   // Of the last frame.
   Image layers() const { return renderer_->readLayers(); }

@@ -46,6 +46,18 @@ bool mustDraw(const ShadowView& view, std::size_t number, const ShadowChange& ch
 
 }  // namespace
 
+void ShadowChange::add(std::span<const Bounds> boxes) {
+  moved.insert(moved.end(), boxes.begin(), boxes.end());
+  if (moved.size() <= kMaxMoved) return;
+  Bounds all;
+  for (const Bounds& box : moved) {
+    if (box.empty()) continue;
+    all.add(box.low);
+    all.add(box.high);
+  }
+  moved.assign(1, all);
+}
+
 ShadowPass::ShadowPass(const gl::Api& api)
     : api_(&api), opaque_(makeProgram(api, false)), cut_(makeProgram(api, true)), vertexArray_(api) {}
 

@@ -15,8 +15,13 @@ namespace halfsilver {
 
 // What happened to the scene since the maps were drawn.
 struct ShadowChange {
+  static constexpr std::size_t kMaxMoved = 1024;
+
   bool everything = true;     // any triangle may cast another shadow
   std::vector<Bounds> moved;  // boxes that triangles have left or come into
+
+  // Adds to `moved`; more than kMaxMoved become one box around them all.
+  void add(std::span<const Bounds> boxes);
 };
 
 // Draws the shadow maps of all lights and of the sky's directions, section "shadow".

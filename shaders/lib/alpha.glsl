@@ -5,11 +5,15 @@
 
 layout(binding = UNIT_ALPHA) uniform usamplerBuffer alphaTexels;
 
+// Four alphas share a word.
+uint fetchAlpha(int number) {
+  return bitfieldExtract(texelFetch(alphaTexels, number >> 2).r, 8 * (number & 3), 8);
+}
+
 // The four texels' alpha, 0..255: (x0, y0), (x1, y0), (x0, y1), (x1, y1). `first`: of the texture.
 vec4 fetchAlpha(int first, int width, ivec2 x, ivec2 y) {
   ivec2 rows = first + width * y;
-  return vec4(texelFetch(alphaTexels, rows.x + x.x).r, texelFetch(alphaTexels, rows.x + x.y).r,
-              texelFetch(alphaTexels, rows.y + x.x).r, texelFetch(alphaTexels, rows.y + x.y).r);
+  return vec4(fetchAlpha(rows.x + x.x), fetchAlpha(rows.x + x.y), fetchAlpha(rows.y + x.x), fetchAlpha(rows.y + x.y));
 }
 
 // What the test of one triangle needs, at every point of it.

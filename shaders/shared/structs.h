@@ -54,7 +54,7 @@ struct GpuMaterial {
   float mirror;
   uint flags;
   uint padding0;
-  uint alphaFirst;  // MATERIAL_CUT: the base color texture's first byte in the alpha texels, and its size
+  uint alphaFirst;  // MATERIAL_CUT: the base color texture's first alpha of all, and its size
   uint alphaWidth;
   uint alphaHeight;
   uint padding1;

@@ -7,6 +7,7 @@
 #include <set>
 
 #include <halfsilver/error.h>
+#include "frame/alpha_texels.h"
 #include "frame/frame_constants.h"
 #include "frame/gpu_scene.h"
 #include "frame/material_textures.h"
@@ -341,6 +342,23 @@ TEST_F(GpuSceneTest, HolesAreTheSameOnGpuAndCpu) {
   EXPECT_GT(holes, points / 4);
   EXPECT_LT(holes, 3 * points / 4);
   EXPECT_EQ(wrong, 0u);
+}
+
+TEST_F(GpuSceneTest, MoreAlphaThanTheDeviceHoldsIsAnError) {
+  Scene scene = quadWith({}, noise(37, 64, true, 11));
+  scene.materials[0].alphaMode = AlphaMode::mask;
+  gl::Api small = api;
+  small.limits.bufferTexels = 37 * 64 / 4;  // four per texel
+  EXPECT_EQ(uploadAlphas(small, scene, {true}).texels.bytes(), 37u * 64);
+  --small.limits.bufferTexels;
+  std::string message;
+  try {
+    uploadAlphas(small, scene, {true});
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::failed);
+    message = error.what();
+  }
+  EXPECT_EQ(message, "the textures that cut holes have 2368 texels in all, the device's limit for their alpha is 2364");
 }
 
 // Holes come from a texture as it is in the scene, whatever its colors are resampled to.

@@ -7,6 +7,7 @@
 #include <halfsilver/io.h>
 #include "gpu/method_contract.h"
 #include "gpu/shader_function.h"
+#include "gpu/small_blocks.h"
 
 namespace halfsilver::testing {
 
@@ -40,14 +41,6 @@ std::vector<Method> MethodTest::methods(const Scene& scene) const {
 }
 
 namespace {
-
-// A device whose storage blocks hold little: a picture of 256 x 192 pixels is to it what one of 4K is to others.
-constexpr GLint64 kSmallBlock = 1 << 20;
-PFNGLGETINTEGER64VPROC getInteger64v = nullptr;
-void APIENTRY smallBlocks(GLenum name, GLint64* value) {
-  getInteger64v(name, value);
-  if (name == GL_MAX_SHADER_STORAGE_BLOCK_SIZE) *value = kSmallBlock;
-}
 
 const MethodCase kMethods[] = {
     {"identity", "halfsilver", {}, 0},
@@ -104,13 +97,7 @@ TEST_P(MethodTest, BatchesForSmallStorageBlocksChangeNothing) {
   const Settings wanted =
       settings({{"trace.bounces", "2"}, {"shadow.resolution", "64"}, {"shadow.sky_directions", "0"}});
   const Frame whole = draw(scene, kAbove, wanted, kWidth, kHeight);
-  const gl::GetProcAddress proc = context.getProcAddress();
-  getInteger64v = reinterpret_cast<PFNGLGETINTEGER64VPROC>(proc("glGetInteger64v"));
-  Renderer renderer(
-      [proc](const char* name) {
-        return name == std::string("glGetInteger64v") ? reinterpret_cast<gl::Proc>(smallBlocks) : proc(name);
-      },
-      methods(scene));
+  Renderer renderer(withSmallBlocks(context.getProcAddress()), methods(scene));
   renderer.setScene(scene);
   const Frame batches = drawWholeWith(renderer, kAbove, wanted, kWidth, kHeight);
   EXPECT_GT(whole.report.selected, 10000u);

@@ -2,6 +2,8 @@
 #include <numeric>
 #include <string>
 
+#include <halfsilver/error.h>
+#include "gpu/small_blocks.h"
 #include "gpu/tracing_scenes.h"
 
 namespace halfsilver::testing {
@@ -42,6 +44,36 @@ TEST_P(RayWorkTest, IsCountedForEachRayAndChangesNoHit) {
                            [](std::uint64_t sum, const RayWork& ray) { return sum + ray.tests; });
   };
   EXPECT_LE(total(renderer.readRayWork()), total(work));
+}
+
+TEST_P(RayWorkTest, IsRefusedIfItIsNotThatOfAllRaysOfTheFrame) {
+  const Scene scene = soup(50);
+  Renderer renderer(withSmallBlocks(context.getProcAddress()), methods(scene));
+  renderer.setScene(scene);
+  const auto refusal = [&renderer]() -> std::string {
+    try {
+      EXPECT_FALSE(renderer.readRayWork().empty());
+    } catch (const Error& error) {
+      EXPECT_EQ(error.kind(), ErrorKind::usage);
+      return error.what();
+    }
+    return "none";
+  };
+  const Settings wanted = settings("true");
+  drawWith(renderer, kAbove, wanted, 40, 30);
+  EXPECT_EQ(refusal(), "none");
+
+  Settings bounces = wanted;
+  bounces.trace.bounces = 2;
+  drawWith(renderer, kAbove, bounces, 40, 30);
+  EXPECT_EQ(refusal(), "readRayWork() needs a frame of one bounce whose rays come in one batch");
+  drawWith(renderer, kAbove, wanted, 512, 384);
+  EXPECT_EQ(refusal(), "readRayWork() needs a frame of one bounce whose rays come in one batch");
+
+  drawWith(renderer, kAbove, wanted, 40, 30);
+  EXPECT_EQ(refusal(), "none");
+  renderer.begin(kAbove, wanted, 40, 30);
+  EXPECT_NE(refusal(), "none") << "the tracer may hold the work of the frame under way";
 }
 
 INSTANTIATE_TEST_SUITE_P(CountingMethods, RayWorkTest, ::testing::Values("identity", "bvh", "attributes"),

@@ -91,6 +91,19 @@ class ReflectionSpawn : public testing::ContextTest {
   }
 };
 
+// Ten rows of tiles in six batches would be two rows each, which fill five.
+TEST_F(ReflectionSpawn, NoBatchIsEmpty) {
+  const ReflectionEffect effect(api);
+  GBuffer buffer;
+  buffer.width = 64;
+  buffer.height = 77;
+  for (std::uint32_t tiles = 1; tiles <= 10; ++tiles) {
+    const int rows = 8 * static_cast<int>(tiles);
+    const int batches = effect.batches(buffer, tiles * 8 * 64);
+    EXPECT_EQ(batches, (buffer.height + rows - 1) / rows) << tiles << " rows of tiles fit";
+  }
+}
+
 TEST_F(ReflectionSpawn, ReflectivePixelsOnly) {
   const int width = 101, height = 67;
   const Selection selection = select(twoWalls(), {}, width, height);

@@ -255,6 +255,21 @@ TEST_F(ShadowViewsTest, AreDrawnAgainIfSomethingMovedInThem) {
   expectFresh(drawn(scene, {.everything = false, .moved = moved}, maps));
 }
 
+TEST_F(ShadowViewsTest, ManyMovesBecomeOneBoxAroundThem) {
+  ShadowChange change{.everything = false, .moved = {}};
+  const std::vector<Bounds> boxes = {{vec3(-1), vec3(0)}, {}, {vec3(1, 2, 3), vec3(4)}};
+  for (std::size_t i = 0; i < ShadowChange::kMaxMoved; ++i) {
+    change.add(boxes);
+    ASSERT_LE(change.moved.size(), ShadowChange::kMaxMoved);
+  }
+  change.moved.resize(ShadowChange::kMaxMoved);
+  change.add(boxes);
+  ASSERT_EQ(change.moved.size(), 1u);
+  EXPECT_EQ(change.moved[0].low, vec3(-1));
+  EXPECT_EQ(change.moved[0].high, vec3(4));
+  EXPECT_FALSE(change.everything);
+}
+
 TEST_F(ShadowTest, SaysWhatThereIsNoRoomFor) {
   Scene scene = floorAndBox().scene;
   scene.sky = evenSky(vec3(1));

@@ -127,6 +127,7 @@ class Measurement {
 
   std::optional<SearchCounts> searchOf(BenchScene& scene, Settings settings) {
     settings.trace.countWork = true;
+    settings.trace.bounces = 1;  // of first rays
     RunStatistics run = bench_->describe(scene, settings);
     bench_->draw(scene, run);
     const std::vector<RayWork> work = bench_->rayWork();

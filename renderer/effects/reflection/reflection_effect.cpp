@@ -78,7 +78,8 @@ const gl::Program& ReflectionEffect::shading(const GpuScene& scene, bool first, 
 int ReflectionEffect::batches(const GBuffer& gbuffer, std::uint32_t maxRays) const {
   int batches = 1;
   while (batchPixels(gbuffer, batches) > maxRays && batchRows(gbuffer, batches) > kTile) ++batches;
-  return batches;
+  const int rows = batchRows(gbuffer, batches);
+  return (gbuffer.height + rows - 1) / rows;  // rounding up may leave nothing to the last ones
 }
 
 void ReflectionEffect::spawn(const FrameView& view, int batch, int batches, RayQueue& out, EffectFrame& frame) {

@@ -127,8 +127,9 @@ class Renderer {
   // way, only until a begin() takes the memory of that frame.
   Image readLayers() const;
 
-  // The work of each first ray of that frame, in the order in which they were traced. Empty unless trace.count_work was
-  // set and the method counts; of the last bounce if there are several. Waits for the GPU.
+  // The work of each ray of that frame, in the order in which they were traced. Empty unless trace.count_work was set
+  // and the method counts. Only of a frame of one bounce whose rays fit one batch (a storage block holds what belongs
+  // to them), with no other under way and the scene unchanged since: throws Error (usage) otherwise. Waits for the GPU.
   std::vector<RayWork> readRayWork();
 
  private:

@@ -14,7 +14,7 @@ struct TexelFormat {
   GLenum format;
   std::size_t bytes;  // of a texel
 };
-inline constexpr TexelFormat kFloatTexels{GL_RGBA32F, 16}, kByteTexels{GL_R8UI, 1};
+inline constexpr TexelFormat kFloatTexels{GL_RGBA32F, 16}, kWordTexels{GL_R32UI, 4};
 
 // A buffer seen as texels: its limit is that of buffer textures, far above a storage block's. Software rasterizers read
 // a storage buffer number by number, a texel in one go. Move-only.
