@@ -30,12 +30,16 @@ class ExactTracer final : public Tracer {
     if (kept && !change.geometry()) return;
     const auto scope = view.profiler.hostSection("build");
     built_ = false;  // until nothing has failed
+    waitForJobs();
     // What moves will move again: a hierarchy that is made faster than it traces. Refitting the old one is no faster.
     scene_.build(kept ? EmbreeScene::Quality::fastBuild : EmbreeScene::Quality::fastTrace);
     built_ = true;
   }
 
-  void forget() override { built_ = false; }
+  void forget() override {
+    waitForJobs();
+    built_ = false;
+  }
 
   void trace(const FrameView& view, const RayQueue& rays, Hits& hits) override {
     submit(view, rays, hits);
@@ -62,6 +66,8 @@ class ExactTracer final : public Tracer {
   TracerMemory memory() const override {
     TracerMemory memory;
     memory.structureTotal = scene_.bytes();
+    for (const std::unique_ptr<Work>& work : works_)
+      memory.transient += work->reader.bytes() + work->hits.capacity() * sizeof(Hit);
     return memory;
   }
 
@@ -83,6 +89,12 @@ class ExactTracer final : public Tracer {
       for (const std::unique_ptr<Work>& work : works_)
         if (work->queue == wanted) return *work;
     return *works_.emplace_back(std::make_unique<Work>(reader_.another()));
+  }
+
+  // Jobs of another frame under way, or of one that failed, still trace what a build replaces.
+  void waitForJobs() {
+    for (const std::unique_ptr<Work>& work : works_)
+      if (work->job) pool_.wait(*work->job);
   }
 
   void begin(const FrameView& view, const RayQueue& rays, bool any) {
@@ -110,7 +122,7 @@ class ExactTracer final : public Tracer {
   const gl::Api* api_;
   EmbreeScene scene_;
   bool built_ = false;  // for the geometry of the last update
-  RayReader reader_;  // whose program the works share
+  RayReader reader_;    // whose program the works share
   std::vector<std::unique_ptr<Work>> works_;
   std::uint32_t likely_ = 0;  // rays in the next queue
   WorkerPool pool_;           // its threads end before what they work on

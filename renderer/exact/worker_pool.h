@@ -40,6 +40,7 @@ class WorkerPool {
 
  private:
   void run();
+  void close();  // the threads end when no work is left
 
   std::mutex mutex_;
   std::condition_variable workCame_, jobEnded_;

@@ -170,6 +170,25 @@ INSTANTIATE_TEST_SUITE_P(AllMethods, OverlappingFrames,
                          ::testing::Values("exact", "identity", "bvh", "attributes", "none"),
                          [](const auto& method) { return std::string(method.param); });
 
+// The exact tracer's threads may still trace the first frame when the second one builds.
+TEST_F(FrameInFlight, ABuildLeavesTheFrameUnderWayItsStructure) {
+  auto [a, b] = views("exact");
+  for (View* view : {&a, &b}) set(view->settings, "select.min_contribution", "0.00001");
+  Renderer inTurn = makeRenderer(scene_), overlapping = makeRenderer(scene_);
+  const Frame first = render(inTurn, a), second = render(inTurn, b);
+  EXPECT_GT(first.report.selected, 500u);
+  for (int round = 0; round < 4; ++round) {
+    SCOPED_TRACE(round);
+    begin(overlapping, a);
+    overlapping.forgetStructures();
+    begin(overlapping, b);
+    finish(overlapping, a);
+    EXPECT_TRUE(overlapping.readLayers().data == first.layers.data);
+    finish(overlapping, b);
+    EXPECT_TRUE(overlapping.readLayers().data == second.layers.data);
+  }
+}
+
 TEST_F(FrameInFlight, AThirdFrameIsRefusedAndTheTwoGoOn) {
   const auto [a, b] = views("identity");
   Renderer renderer = makeRenderer(scene_);
