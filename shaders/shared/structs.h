@@ -1,6 +1,6 @@
 // Structs that C++ writes and GLSL reads (or the other way round). A vec3 is followed by a scalar, vec2s come in pairs
-// and whole rows of 16 bytes are filled, so that std140, std430 and C++ agree; <halfsilver/shared_structs.h> asserts every
-// offset and size.
+// and whole rows of 16 bytes are filled, so that std140, std430 and C++ agree; <halfsilver/shared_structs.h> asserts
+// every offset and size.
 #ifndef HALFSILVER_STRUCTS_H
 #define HALFSILVER_STRUCTS_H
 
@@ -68,16 +68,16 @@ struct GpuMaterial {
 #define TEXTURE_SPECULAR 5
 #define TEXTURE_SPECULAR_COLOR 6
 
-// Lights lie in three ranges, each of one kind: direct ones (LIGHT_...), then directions that stand for a part of the sky
-// each, with shadows, then halves of the sphere, evenly bright around their direction, without; of these all but
+// Lights lie in three ranges, each of one kind: direct ones (LIGHT_...), then directions that stand for a part of the
+// sky each, with shadows, then halves of the sphere, evenly bright around their direction, without; of these all but
 // `steadyShare` is scaled by the sky's visibility. The last two light the diffuse lobe only.
 //
 // Shaders fetch them as texels of floats (lib/light_list.glsl), so numbers are floats here.
 struct GpuLight {
   vec3 position;
-  float range;  // meters; 0: unlimited
-  vec3 direction;  // unit, the way the light travels
-  float type;      // LIGHT_...
+  float range;        // meters; 0: unlimited
+  vec3 direction;     // unit, the way the light travels
+  float type;         // LIGHT_...
   vec3 color;         // linear, times intensity
   float shadowTexel;  // width of a shadow texel, meters (point, spot: at distance 1)
   float coneScale;    // spot: angular falloff = clamp(cosine * scale + offset)
@@ -103,15 +103,15 @@ struct GpuLight {
 struct FrameConstants {
   mat4 viewProjection;
   vec3 eye;
-  float pixelCone;  // a pixel's width at distance 1
-  vec3 forward;     // unit
-  float nearPlane;  // meters
-  vec3 right;       // times tan(half fov) times aspect
-  float farPlane;   // meters; 0: infinite
-  vec3 up;          // times tan(half fov)
+  float pixelCone;    // a pixel's width at distance 1
+  vec3 forward;       // unit
+  float nearPlane;    // meters
+  vec3 right;         // times tan(half fov) times aspect
+  float farPlane;     // meters; 0: infinite
+  vec3 up;            // times tan(half fov)
   float minDistance;  // nearer hits are ignored, meters
-  vec3 boundsLow;  // of the scene
-  float diagonal;  // of the bounds, meters
+  vec3 boundsLow;     // of the scene
+  float diagonal;     // of the bounds, meters
   vec3 boundsHigh;
   uint skyIsImage;
   vec3 skyZenith;  // times intensity, as the next two

@@ -2,10 +2,10 @@
 #ifndef HALFSILVER_PASSES_IDENTITY_H
 #define HALFSILVER_PASSES_IDENTITY_H
 
-#define SSBO_BRICKS 12       // uint[bricks]: where a brick's run is, or a state, below
-#define SSBO_RUNS 13         // uint[]: words of runs, see tracing/identity/bricks.glsl
-#define SSBO_BRICK_WORK 14   // BrickWork
-#define SSBO_OUTER 15        // uint[1 + count]: triangles that reach beyond the grid: their count, then their numbers
+#define SSBO_BRICKS 12      // uint[bricks]: where a brick's run is, or a state, below
+#define SSBO_RUNS 13        // uint[]: words of runs, see tracing/identity/bricks.glsl
+#define SSBO_BRICK_WORK 14  // BrickWork
+#define SSBO_OUTER 15       // uint[1 + count]: triangles that reach beyond the grid: their count, then their numbers
 // Builds touch no queue of rays and use its numbers; 5 and 7 are those of the counters and of listed triangles.
 #define SSBO_BRICK_BUILDS 6     // BrickBuild[requested bricks]
 #define SSBO_TRIANGLE_BLOCKS 8  // BoundedBlock[blocks of triangles]
@@ -53,16 +53,16 @@ struct BrickWork {
   uint groupsPerBuildZ;
   uint wantedBlocks;
   uint buildCount;
-  uint firstWord;        // behind the runs of earlier builds
-  uint buildWords;       // of their runs, at most MAX_WAITING_WORDS each
-  uint nextWord;         // behind the runs that have been placed, and beyond if one found no room
-  uint requestedBricks;  // since the last build
-  uint waitingWords;     // of runs that found no room, at most MAX_WAITING_WORDS each
-  uint longestWaiting;   // of these, words
-  uint usedWords;        // of all runs
-  uint headerWords;      // of these, before the entries
-  uint longestRun;       // words
-  uint staleWords;       // of runs that were given up
+  uint firstWord;         // behind the runs of earlier builds
+  uint buildWords;        // of their runs, at most MAX_WAITING_WORDS each
+  uint nextWord;          // behind the runs that have been placed, and beyond if one found no room
+  uint requestedBricks;   // since the last build
+  uint waitingWords;      // of runs that found no room, at most MAX_WAITING_WORDS each
+  uint longestWaiting;    // of these, words
+  uint usedWords;         // of all runs
+  uint headerWords;       // of these, before the entries
+  uint longestRun;        // words
+  uint staleWords;        // of runs that were given up
   uint staleHeaderWords;  // of these, before the entries
 };
 // Keeps a sum of words in a word.

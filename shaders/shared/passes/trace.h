@@ -19,7 +19,7 @@ struct Resume {
   uint groupsX;  // an indirect dispatch
   uint groupsY;
   uint groupsZ;
-  uint times;  // that there was something left
+  uint times;     // that there was something left
   uint count;     // of rays to trace
   uint readFrom;  // where their list begins
   uint writeTo;   // where the list of those that this dispatch leaves begins
