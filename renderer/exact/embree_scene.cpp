@@ -91,14 +91,14 @@ EmbreeScene::EmbreeScene(const Scene& scene, unsigned threads)
   packets_ = rtcGetDeviceProperty(device_.get(), RTC_DEVICE_PROPERTY_NATIVE_RAY8_SUPPORTED) != 0;
 }
 
-void EmbreeScene::build(Quality wanted) {
-  const RTCBuildQuality quality = wanted == Quality::fastTrace ? RTC_BUILD_QUALITY_MEDIUM : RTC_BUILD_QUALITY_LOW;
+void EmbreeScene::build(Quality quality) {
+  const RTCBuildQuality wanted = quality == Quality::fastTrace ? RTC_BUILD_QUALITY_MEDIUM : RTC_BUILD_QUALITY_LOW;
   scene_.reset();  // its memory goes before the new one's comes
   std::unique_ptr<RTCSceneTy, SceneRelease> scene(rtcNewScene(device_.get()));
   rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
-  rtcSetSceneBuildQuality(scene.get(), quality);
+  rtcSetSceneBuildQuality(scene.get(), wanted);
   RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
-  rtcSetGeometryBuildQuality(geometry, quality);
+  rtcSetGeometryBuildQuality(geometry, wanted);
   // The scene's own arrays; Vertex is larger than the 16 bytes that Embree reads at each position.
   rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, source_->vertices.data(),
                              offsetof(Vertex, position), sizeof(Vertex), source_->vertices.size());

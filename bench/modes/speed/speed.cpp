@@ -20,7 +20,7 @@ constexpr std::size_t kMovingShare = 100;     // one of so many triangles
 
 std::vector<std::string> presetsOf(const Request& request, bool exact) {
   std::vector<std::string> presets = {kDefaultPreset, "bvh", "kastrati2017"};
-  if (exact) presets.push_back(kReference);
+  if (exact) presets.emplace_back(kReference);
   return chosenPresets(request, presets);
 }
 

@@ -1,7 +1,8 @@
 #include "tracing/identity/identity_tracer.h"
 
 #include <algorithm>
-#include <cstring>
+#include <array>
+#include <bit>
 
 namespace halfsilver {
 namespace {
@@ -13,6 +14,11 @@ constexpr int kKeptLookAhead = 16;  // if most bricks are there from earlier fra
 constexpr int kMaxLookAhead = 4096;
 // Dispatches before the host looks whether rays still wait: as many as they mostly need.
 constexpr int kFirstDispatches = 6, kKeptDispatches = 2;
+// Bit by bit: what differs at all may make other rays.
+auto wordsOf(const shared::FrameConstants& frame) {
+  return std::bit_cast<std::array<std::uint32_t, sizeof(frame) / sizeof(std::uint32_t)>>(frame);
+}
+
 }  // namespace
 
 Method IdentityTracer::method() {
@@ -84,7 +90,7 @@ void IdentityTracer::trace(const FrameView& view, const RayQueue& rays, Hits& hi
   // Equal constants make equal rays, and all that those need is there.
   for (const Traces& each : traces_) {
     if (number >= each.dispatches.size() || each.dispatches[number] == 0) continue;
-    if (std::memcmp(&each.frame, &traces.frame, sizeof(each.frame)) != 0) continue;
+    if (wordsOf(each.frame) != wordsOf(traces.frame)) continue;
     structure.dispatches = each.dispatches[number];
     structure.certain = true;
   }
