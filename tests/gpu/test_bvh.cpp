@@ -37,7 +37,7 @@ TEST_F(TracingTest, BvhRaysThatPauseGoOn) {
   EXPECT_EQ(errors.wrongId, 0);
 }
 
-// What moves is fitted, then, far from where it was, sorted anew; both find what a new tree finds.
+// What moves is fitted, then, far from where it was, sorted again; both find what a new tree finds.
 TEST_F(TracingTest, BvhFollowsWhatMoves) {
   Scene scene = soup(600);
   Renderer renderer = makeRenderer(scene);

@@ -7,41 +7,23 @@
 #include <set>
 
 #include <halfsilver/error.h>
-#include "frame/alpha_texels.h"
-#include "frame/frame_constants.h"
 #include "frame/gpu_scene.h"
 #include "frame/material_textures.h"
 #include "gpu/context_fixture.h"
+#include "gpu/noise_textures.h"
 #include "gpu/shader_function.h"
-#include "scene/alpha.h"
 
 namespace halfsilver {
 namespace {
 
 using testing::addQuad;
+using testing::noise;
 using testing::plainTexture;
+using testing::quadWith;
 using testing::ShaderFunction;
 using GpuSceneTest = testing::ContextTest;
 
 constexpr BucketLimits kLimits{4096, 256, 8};
-
-std::shared_ptr<Texture> noise(int width, int height, bool srgb, unsigned seed) {
-  std::minstd_rand random(seed);
-  auto texture = plainTexture(width, height, {0, 0, 0, 0}, srgb);
-  for (std::uint8_t& value : texture->texels) value = static_cast<std::uint8_t>(random() >> 8);
-  return texture;
-}
-
-Scene quadWith(const TextureUse& use, std::shared_ptr<const Texture> texture) {
-  Scene scene;
-  Material material;
-  material.baseColorTexture = use;
-  material.baseColorTexture.texture = 0;
-  scene.materials = {material};
-  scene.textures = {std::move(texture)};
-  addQuad(scene, {-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}, 0);
-  return scene;
-}
 
 TEST(TextureBuckets, EqualSizesShareABucket) {
   const std::vector<TextureRequest> requests = {
@@ -298,105 +280,6 @@ TEST_F(GpuSceneTest, SrgbIsDecodedAndMipmapsAreLinear) {
   EXPECT_NEAR(out[1].b, 0, 1e-6f);
 }
 
-TEST_F(GpuSceneTest, HolesAreTheSameOnGpuAndCpu) {
-  const ShaderFunction cut(api, "lib/alpha.glsl",
-                           "outputs[item] = vec4(cutAway(floatBitsToUint(inputs[item].x), inputs[item].yz));", 1, 1);
-  const auto texture = noise(37, 64, true, 11);
-  std::minstd_rand random(5);
-  std::uniform_real_distribution<float> unit(0, 1);
-  std::size_t points = 0, holes = 0, wrong = 0;
-  for (const Filter filter : {Filter::linear, Filter::nearest})
-    for (const Wrap wrapU : {Wrap::repeat, Wrap::mirror, Wrap::clamp})
-      for (const Wrap wrapV : {Wrap::repeat, Wrap::mirror, Wrap::clamp}) {
-        TextureUse use;
-        use.wrapU = wrapU;
-        use.wrapV = wrapV;
-        use.magnify = filter;
-        use.uvSet = wrapU == wrapV ? 1 : 0;
-        use.transform = {glm::vec3(3.1f, 0.7f, -1.3f), glm::vec3(-0.4f, 2.9f, -0.6f)};
-        Scene scene = quadWith(use, texture);
-        scene.materials[0].alphaMode = wrapU == Wrap::mirror ? AlphaMode::blend : AlphaMode::mask;
-        scene.materials[0].alphaCutoff = 0.47f;
-        scene.materials[0].baseColor.a = 0.93f;
-        for (Vertex& vertex : scene.vertices) {
-          vertex.color.a = 0.8f + 0.2f * unit(random);
-          vertex.uv[1] = glm::vec2(unit(random), unit(random));
-        }
-        const GpuScene gpu = uploadScene(api, scene);
-        gpu.bindSurfaces();
-        std::vector<glm::vec4> inputs(6000);
-        for (glm::vec4& input : inputs) {
-          const std::uint32_t triangle = random() & 1;
-          const float u = unit(random), v = (1 - u) * unit(random);
-          input = {glm::uintBitsToFloat(triangle), u, v, 0};
-        }
-        const std::vector<glm::vec4> outputs = cut.run(inputs);
-        for (std::size_t i = 0; i < inputs.size(); ++i) {
-          const bool hole = cutAway(scene, glm::floatBitsToUint(inputs[i].x), {inputs[i].y, inputs[i].z});
-          ++points;
-          holes += hole;
-          wrong += hole != (outputs[i].x > 0.5f);
-        }
-      }
-  EXPECT_GE(points, 100000u);
-  EXPECT_GT(holes, points / 4);
-  EXPECT_LT(holes, 3 * points / 4);
-  EXPECT_EQ(wrong, 0u);
-}
-
-TEST_F(GpuSceneTest, MoreAlphaThanTheDeviceHoldsIsAnError) {
-  Scene scene = quadWith({}, noise(37, 64, true, 11));
-  scene.materials[0].alphaMode = AlphaMode::mask;
-  gl::Api small = api;
-  small.limits.bufferTexels = 37 * 64 / 4;  // four per texel
-  EXPECT_EQ(uploadAlphas(small, scene, {true}).texels.bytes(), 37u * 64);
-  --small.limits.bufferTexels;
-  std::string message;
-  try {
-    uploadAlphas(small, scene, {true});
-  } catch (const Error& error) {
-    EXPECT_EQ(error.kind(), ErrorKind::failed);
-    message = error.what();
-  }
-  EXPECT_EQ(message, "the textures that cut holes have 2368 texels in all, the device's limit for their alpha is 2364");
-}
-
-// Holes come from a texture as it is in the scene, whatever its colors are resampled to.
-TEST_F(GpuSceneTest, HolesOfResampledTexturesAreThoseOfTheCpu) {
-  const ShaderFunction cut(api, "lib/alpha.glsl",
-                           "outputs[item] = vec4(cutAway(floatBitsToUint(inputs[item].x), inputs[item].yz));", 1, 1);
-  Scene scene;
-  for (std::uint32_t i = 0; i < 12; ++i) {
-    scene.textures.push_back(noise(9 + 5 * static_cast<int>(i), 30, true, 40 + i));
-    Material material;
-    material.alphaMode = AlphaMode::mask;
-    material.alphaCutoff = 0.5f;
-    material.baseColorTexture.texture = static_cast<int>(i);
-    scene.materials.push_back(material);
-    addQuad(scene, {-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}, i);
-  }
-  const GpuScene gpu = uploadScene(api, scene);
-  EXPECT_GT(gpu.warnings.size(), 0u) << "some are resampled";
-  gpu.bindSurfaces();
-  std::minstd_rand random(9);
-  std::uniform_real_distribution<float> unit(0, 1);
-  std::vector<glm::vec4> inputs(24000);
-  for (std::size_t i = 0; i < inputs.size(); ++i) {
-    const float u = unit(random), v = (1 - u) * unit(random);
-    inputs[i] = {glm::uintBitsToFloat(static_cast<std::uint32_t>(i % 24)), u, v, 0};
-  }
-  const std::vector<glm::vec4> outputs = cut.run(inputs);
-  std::size_t holes = 0, wrong = 0;
-  for (std::size_t i = 0; i < inputs.size(); ++i) {
-    const bool hole = cutAway(scene, glm::floatBitsToUint(inputs[i].x), {inputs[i].y, inputs[i].z});
-    holes += hole;
-    wrong += hole != (outputs[i].x > 0.5f);
-  }
-  EXPECT_GT(holes, inputs.size() / 4);
-  EXPECT_LT(holes, 3 * inputs.size() / 4);
-  EXPECT_EQ(wrong, 0u);
-}
-
 TEST_F(GpuSceneTest, SkyImageKeepsItsRows) {
   Scene scene;
   scene.sky.imageWidth = 4;
@@ -408,43 +291,6 @@ TEST_F(GpuSceneTest, SkyImageKeepsItsRows) {
   EXPECT_EQ(gpu.sky.shape().levels, 3);
   const std::vector<float> texels = testing::readFloats(gpu.sky, GL_RGB, 3);
   for (std::size_t i = 0; i < 24; ++i) EXPECT_EQ(texels[i], i == 5 ? 65504.0f : static_cast<float>(i));
-}
-
-TEST(FrameConstants, PixelRaysAgreeWithTheProjection) {
-  Camera camera;
-  camera.eye = {1, 2, 3};
-  camera.target = {-4, 1, 0};
-  for (const float farPlane : {0.0f, 20.0f}) {
-    camera.farPlane = farPlane;
-    const Bounds bounds{{-10, -10, -10}, {10, 10, 10}};
-    const shared::FrameConstants frame = makeFrameConstants(camera, bounds, {}, {}, 200, 100, {});
-    const glm::vec3 point = camera.eye + 5.0f * (frame.forward + 0.3f * frame.right - 0.6f * frame.up);
-    const glm::vec4 clip = frame.viewProjection * glm::vec4(point, 1);
-    EXPECT_NEAR(clip.x / clip.w, 0.3f, 1e-5f);
-    EXPECT_NEAR(clip.y / clip.w, -0.6f, 1e-5f);
-    EXPECT_NEAR(clip.w, 5.0f, 1e-5f);
-    const float nearPlane = frame.nearPlane;
-    EXPECT_GT(nearPlane, 0);
-    const glm::vec4 nearest = frame.viewProjection * glm::vec4(camera.eye + nearPlane * frame.forward, 1);
-    EXPECT_NEAR(nearest.z / nearest.w, 1.0f, 1e-3f);
-    if (farPlane > 0) {
-      const glm::vec4 farthest = frame.viewProjection * glm::vec4(camera.eye + farPlane * frame.forward, 1);
-      EXPECT_NEAR(farthest.z / nearPlane, 0.0f, 1e-3f);
-    }
-    EXPECT_NEAR(glm::length(frame.right) / glm::length(frame.up), 2.0f, 1e-6f);
-    EXPECT_NEAR(frame.minDistance, 1e-5f * bounds.diagonal(), 1e-9f);
-  }
-}
-
-TEST(FrameConstants, LookingStraightDownWorksAndNonsenseIsRefused) {
-  Camera camera;
-  camera.eye = {0, 5, 0};
-  const shared::FrameConstants frame = makeFrameConstants(camera, {}, {}, {}, 10, 10, {});
-  EXPECT_NEAR(glm::dot(frame.right, glm::vec3(0, 1, 0)), 0, 1e-6f);
-  EXPECT_GT(glm::length(frame.up), 0.1f);
-  EXPECT_THROW(makeFrameConstants(camera, {}, {}, {}, 0, 10, {}), Error);
-  camera.target = camera.eye;
-  EXPECT_THROW(makeFrameConstants(camera, {}, {}, {}, 10, 10, {}), Error);
 }
 
 }  // namespace

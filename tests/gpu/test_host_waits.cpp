@@ -39,6 +39,14 @@ class HostWaits : public TracingTest {
     return {waits, {renderer.readLayers(), renderer.report()}};
   }
 
+  // The same frame once more: nothing is waited for, and nothing differs.
+  Counted expectStill(Renderer& renderer, const Camera& camera, const Settings& settings, const Counted& before) {
+    Counted still = draw(renderer, camera, settings);
+    EXPECT_EQ(still.waits, 0u);
+    EXPECT_EQ(still.frame.layers.data, before.frame.layers.data);
+    return still;
+  }
+
   std::shared_ptr<std::uint64_t> waits_;
   std::unique_ptr<gl::Api> table_;
   bool likeHardware_ = false;  // loops are not limited
@@ -74,9 +82,7 @@ TEST_F(HostWaits, AFrameThatBuildsWaitsTwiceAtMostAndAStillOneNever) {
   EXPECT_GT(moved.frame.report.memory.fragments, turned.frame.report.memory.fragments) << "it builds";
   EXPECT_LE(moved.waits, 2u);
   EXPECT_EQ(moved.frame.layers.data, drawOnce(scene, other, settings, 80, 60).layers.data);
-  const Counted still = draw(renderer, other, settings);
-  EXPECT_EQ(still.waits, 0u);
-  EXPECT_EQ(still.frame.layers.data, moved.frame.layers.data);
+  expectStill(renderer, other, settings, moved);
 }
 
 // Without a limit on loops, rays wait for bricks alone.
@@ -88,9 +94,7 @@ TEST_F(HostWaits, AreAsFewIfTheDriverLetsLoopsRun) {
   const Counted first = draw(renderer, kAbove, settings);
   EXPECT_LE(first.waits, 2u);
   EXPECT_EQ(first.frame.layers.data, drawOnce(scene, kAbove, settings, 80, 60).layers.data);
-  const Counted still = draw(renderer, kAbove, settings);
-  EXPECT_EQ(still.waits, 0u);
-  EXPECT_EQ(still.frame.layers.data, first.frame.layers.data);
+  expectStill(renderer, kAbove, settings, first);
 }
 
 // Ranges that move are followed together: a hundred cost the dispatches and draws of one.
@@ -125,9 +129,7 @@ TEST_F(HostWaits, GrowWithTheBouncesOnlyWhileSomethingIsBuilt) {
   Renderer renderer = makeCounting(scene);
   const Counted first = draw(renderer, kAbove, settings);
   EXPECT_LE(first.waits, 6u);
-  const Counted still = draw(renderer, kAbove, settings);
-  EXPECT_EQ(still.waits, 0u);
-  EXPECT_EQ(still.frame.layers.data, first.frame.layers.data);
+  expectStill(renderer, kAbove, settings, first);
 }
 
 // What rays need is more than a pool begins with.

@@ -37,7 +37,7 @@ TEST_P(RayWorkTest, IsCountedForEachRayAndChangesNoHit) {
   EXPECT_LT(steps / rays, 100);
   EXPECT_GT(tests / rays, 0.5);
   EXPECT_LT(tests / rays, 100);
-  // Another frame counts anew.
+  // Another frame counts from zero.
   drawWith(renderer, kAbove, settings("true"), 80, 60);
   const auto total = [](const std::vector<RayWork>& of) {
     return std::accumulate(of.begin(), of.end(), std::uint64_t{0},
