@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cstdint>
 
 namespace halfsilver {
 namespace {
@@ -14,6 +15,7 @@ constexpr int kKeptLookAhead = 16;  // if most bricks are there from earlier fra
 constexpr int kMaxLookAhead = 4096;
 // Dispatches before the host looks whether rays still wait: as many as they mostly need.
 constexpr int kFirstDispatches = 6, kKeptDispatches = 2;
+
 // Bit by bit: what differs at all may make other rays.
 auto wordsOf(const shared::FrameConstants& frame) {
   return std::bit_cast<std::array<std::uint32_t, sizeof(frame) / sizeof(std::uint32_t)>>(frame);

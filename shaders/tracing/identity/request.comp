@@ -27,7 +27,9 @@ void main() {
   float end = min(gridRange(ray).y, ray.most);
   ivec3 voxel = resumedVoxel(walk, paused[index]);
   int left = lookAhead;
-  bool going = true;
+  // Rays that only ran out of iterations ask for nothing.
+  uint here = bricks[brickIndex(brickOf(voxel))];
+  bool going = !present(here) && !emptyBrick(here);
   while (going) {
     uint brick = brickIndex(brickOf(voxel)), state = bricks[brick];
     if (!emptyBrick(state)) --left;
