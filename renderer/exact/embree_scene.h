@@ -28,6 +28,7 @@ class EmbreeScene {
   enum class Quality { fastTrace, fastBuild };
   // Throws Error (failed).
   void build(Quality quality);
+  bool ready() const { return scene_ != nullptr; }  // the last build succeeded
   std::uint64_t bytes() const { return static_cast<std::uint64_t>(std::max<std::int64_t>(0, bytes_.load())); }
 
   // Writes a hit for each ray. Neighbors that go the same way are traced together, which changes no bit of a hit: the

@@ -109,6 +109,7 @@ class ExactTracer final : public Tracer {
   }
 
   void start(const FrameView& view, Work& work) {
+    if (!scene_.ready()) throw Error(ErrorKind::failed, "the rays have no scene: its last build failed");
     const std::span<const Ray> rays = work.reader.rays(view, *work.queue);
     const auto count = static_cast<std::uint32_t>(rays.size());
     likely_ = std::max(count, likely_ - likely_ / 8);
