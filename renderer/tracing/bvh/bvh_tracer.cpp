@@ -7,7 +7,7 @@ namespace halfsilver {
 namespace {
 
 constexpr unsigned kThreads = 2;
-// A tree that has become worse than this by fitting is made anew.
+// A tree whose cost has grown by more than this through refits is rebuilt.
 constexpr double kMaxCostGrowth = 1.3;
 // The exact test takes hits that pass a triangle by its rounding, which is below this share of the scene's diagonal.
 constexpr float kMargin = 1.0f / (1 << 20);
