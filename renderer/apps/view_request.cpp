@@ -1,6 +1,7 @@
 #include "apps/view_request.h"
 
 #include <halfsilver/io.h>
+#include <halfsilver/pose.h>
 
 namespace halfsilver {
 
@@ -63,7 +64,7 @@ Model loadModel(const ViewRequest& request, const ViewArguments& arguments) {
   }
   if (request.time) {
     if (model.rig.animations.empty()) model.warnings.emplace_back("the scene has no animation: --time has no effect");
-    pose(model, *request.time);
+    pose(model, playTogether(compatibleAnimations(model.rig), *request.time));
   }
   return model;
 }

@@ -132,6 +132,34 @@ std::vector<std::uint32_t> groupTriangles(const Scene& scene, const std::vector<
   return order;
 }
 
+glm::uvec4 packTriangle(const Triangle& triangle) {
+  return {triangle.vertices[0], triangle.vertices[1], triangle.vertices[2], triangle.material};
+}
+
+void uploadIndices(const gl::Api& api, GpuScene& gpu, const Scene& scene, std::span<const std::uint32_t> order) {
+  std::vector<std::uint32_t> indices;
+  for (const DrawRange& range : gpu.drawRanges) {
+    if (range.cut) continue;
+    for (std::uint32_t i = range.first; i < range.first + range.count; ++i) {
+      const auto& vertices = scene.triangles[order[i]].vertices;
+      indices.insert(indices.end(), vertices.begin(), vertices.end());
+    }
+  }
+  gpu.indices = gl::makeBuffer(api, std::span<const std::uint32_t>(indices), "indices");
+}
+
+void uploadTurned(const gl::Api& api, GpuScene& gpu, const Scene& scene, std::span<const TriangleRange> ranges) {
+  if (ranges.empty()) return;
+  for (const TriangleRange& range : ranges) {
+    std::vector<glm::uvec4> triangles;
+    triangles.reserve(range.count);
+    for (std::uint32_t t = range.first; t < range.first + range.count; ++t)
+      triangles.push_back(packTriangle(scene.triangles[t]));
+    gpu.triangles.write(std::span<const glm::uvec4>(triangles), range.first);
+  }
+  uploadIndices(api, gpu, scene, gpu.clusters.drawList());
+}
+
 void uploadMaterials(const gl::Api& api, GpuScene& gpu, const Scene& scene, const std::vector<bool>& holes) {
   AlphaTexels alphas = uploadAlphas(api, scene, holes);
   gpu.alphas = std::move(alphas.texels);
@@ -142,15 +170,7 @@ void uploadMaterials(const gl::Api& api, GpuScene& gpu, const Scene& scene, cons
   gpu.drawRanges.clear();
   std::vector<std::uint32_t> order = groupTriangles(scene, holes, gpu.drawRanges);
   gpu.drawList = gl::makeBuffer(api, std::span<const std::uint32_t>(order), "draw list");
-  std::vector<std::uint32_t> indices;
-  for (const DrawRange& range : gpu.drawRanges) {
-    if (range.cut) continue;
-    for (std::uint32_t i = range.first; i < range.first + range.count; ++i) {
-      const auto& vertices = scene.triangles[order[i]].vertices;
-      indices.insert(indices.end(), vertices.begin(), vertices.end());
-    }
-  }
-  gpu.indices = gl::makeBuffer(api, std::span<const std::uint32_t>(indices), "indices");
+  uploadIndices(api, gpu, scene, order);
   gpu.clusters = DrawClusters(scene, std::move(order), gpu.drawRanges);
 }
 
@@ -169,6 +189,10 @@ void checkChange(const GpuScene& gpu, const Scene& scene, const SceneChange& cha
     if (range.first > gpu.vertexCount || range.count > gpu.vertexCount - range.first)
       throw Error(ErrorKind::usage, "vertices " + std::to_string(range.first) + " + " + std::to_string(range.count) +
                                         " are beyond the scene's " + std::to_string(gpu.vertexCount));
+  for (const TriangleRange& range : change.turned)
+    if (range.first > gpu.triangleCount || range.count > gpu.triangleCount - range.first)
+      throw Error(ErrorKind::usage, "triangles " + std::to_string(range.first) + " + " + std::to_string(range.count) +
+                                        " are beyond the scene's " + std::to_string(gpu.triangleCount));
   if (!change.materials) return;
   checkIndices(scene);
   for (const Material& material : scene.materials)
@@ -195,8 +219,7 @@ GpuScene uploadScene(const gl::Api& api, const Scene& scene) {
 
   std::vector<glm::uvec4> triangles;
   triangles.reserve(scene.triangles.size());
-  for (const Triangle& triangle : scene.triangles)
-    triangles.emplace_back(triangle.vertices[0], triangle.vertices[1], triangle.vertices[2], triangle.material);
+  for (const Triangle& triangle : scene.triangles) triangles.push_back(packTriangle(triangle));
   gpu.triangles = gl::makeBuffer(api, std::span<const glm::uvec4>(triangles), "triangles");
 
   const std::vector<bool> holes = materialsWithHoles(scene);
@@ -214,6 +237,7 @@ std::vector<Bounds> updateScene(const gl::Api& api, GpuScene& gpu, const Scene& 
   if (change.materials) uploadMaterials(api, gpu, scene, materialsWithHoles(scene));
   if (change.sky) gpu.sky = uploadSky(api, scene.sky);
   for (const VertexRange& range : change.moved) writeVertices(gpu, scene, range.first, range.count);
+  uploadTurned(api, gpu, scene, change.turned);
   gpu.extents.update(scene, change.moved);
   return gpu.clusters.update(scene, change.moved);
 }

@@ -84,7 +84,7 @@ class Builder {
     buildSkins(document_, diagnostics_, hierarchy_, model_.rig);
     buildAnimations(document_, diagnostics_, hierarchy_, model_.rig);
     readMeshes();
-    rest_ = evaluate(model_.rig, 0, -1);
+    rest_ = evaluate(model_.rig, {});
     moving_ = movingNodes(model_.rig);
     checkCounts();
     measure();
@@ -193,13 +193,13 @@ class Builder {
       scene.vertices.resize(scene.vertices.size() + shape.rest.size());
       place(model_.rig, shape, rest_, scene.origin, std::span(scene.vertices).subspan(shape.firstVertex));
       shape.firstTriangle = static_cast<std::uint32_t>(scene.triangles.size());
-      const bool turned = mirrored(shape, rest_);
+      shape.turned = mirrored(model_.rig, shape, rest_);
       const bool rigid = shape.skin < 0 && shape.targets.empty();
       for (const auto& source : geometry.triangles) {
         Triangle triangle;
         triangle.material = geometry.material;
         for (std::size_t k = 0; k < 3; ++k) triangle.vertices[k] = shape.firstVertex + source[k];
-        if (turned) std::swap(triangle.vertices[1], triangle.vertices[2]);
+        if (shape.turned) std::swap(triangle.vertices[1], triangle.vertices[2]);
         const bool finite = geometry.finite[source[0]] && geometry.finite[source[1]] && geometry.finite[source[2]];
         keep(triangle, finite, !rigid || hasArea(shape, source));
       }

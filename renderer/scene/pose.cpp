@@ -4,7 +4,9 @@
 #include <cmath>
 #include <cstring>
 #include <glm/gtc/matrix_transform.hpp>
+#include <set>
 #include <string>
+#include <utility>
 
 #include <halfsilver/error.h>
 #include "scene/tangents.h"
@@ -15,7 +17,7 @@ namespace {
 static_assert(sizeof(Vertex) == 18 * sizeof(float), "vertices are compared as bytes");
 
 // Value of a channel at a time, which is clamped to the first and last key.
-std::vector<double> sample(const Channel& channel, double time) {
+std::vector<double> sample(const Channel& channel, float time) {
   const bool cubic = channel.interpolation == Interpolation::cubicSpline;
   const std::size_t keys = channel.times.size();
   const std::size_t width = keys ? channel.values.size() / (keys * (cubic ? 3 : 1)) : 0;
@@ -25,8 +27,7 @@ std::vector<double> sample(const Channel& channel, double time) {
   const auto at = [&](std::size_t key, std::size_t part, std::size_t component) {
     return static_cast<double>(channel.values[(cubic ? key * 3 + part : key) * width + component]);
   };
-  const auto upper = std::upper_bound(channel.times.begin(), channel.times.end(), time,
-                                      [](double t, float key) { return t < static_cast<double>(key); });
+  const auto upper = std::upper_bound(channel.times.begin(), channel.times.end(), time);
   const auto next = static_cast<std::size_t>(upper - channel.times.begin());
   if (next == 0 || next == keys || channel.interpolation == Interpolation::step) {
     const std::size_t key = next == 0 ? 0 : next - 1;
@@ -35,7 +36,7 @@ std::vector<double> sample(const Channel& channel, double time) {
   }
   const std::size_t key = next - 1;
   const double span = static_cast<double>(channel.times[next]) - static_cast<double>(channel.times[key]);
-  const double t = (time - static_cast<double>(channel.times[key])) / span;
+  const double t = (static_cast<double>(time) - static_cast<double>(channel.times[key])) / span;
   if (cubic) {
     const double t2 = t * t, t3 = t2 * t;
     for (std::size_t c = 0; c < width; ++c)
@@ -61,7 +62,7 @@ glm::dmat4 localMatrix(const Node& node) {
   return matrix;
 }
 
-void apply(const Channel& channel, double time, Node& node, std::vector<double>& weights) {
+void apply(const Channel& channel, float time, Node& node, std::vector<double>& weights) {
   const std::vector<double> value = sample(channel, time);
   switch (channel.property) {
     case AnimatedProperty::translation:
@@ -143,21 +144,37 @@ glm::dvec3 unit(const glm::dvec3& v, const glm::dvec3& fallback) {
 
 double signOf(double determinant) { return determinant < 0 ? -1.0 : 1.0; }
 
+// Rounded to the float that a key of the same decimal is, so that a key holds from its own time on.
+float timeInLoop(double seconds, float duration) {
+  const auto time = static_cast<float>(seconds);
+  if (time >= 0 && time <= duration) return time;
+  const double length = duration;
+  return length > 0 ? static_cast<float>(seconds - length * std::floor(seconds / length)) : 0.0f;
+}
+
+// Makes the triangles of the instance wind as its pose asks for. Returns whether they did not.
+bool turn(Scene& scene, Instance& instance, bool turned) {
+  if (instance.turned == turned) return false;
+  instance.turned = turned;
+  for (std::uint32_t t = instance.firstTriangle; t < instance.firstTriangle + instance.triangleCount; ++t)
+    std::swap(scene.triangles[t].vertices[1], scene.triangles[t].vertices[2]);
+  return true;
+}
+
 }  // namespace
 
-PoseState evaluate(const Rig& rig, double seconds, int animation) {
-  if (!std::isfinite(seconds)) throw Error(ErrorKind::usage, "the time of an animation must be finite");
+PoseState evaluate(const Rig& rig, std::span<const Playing> playing) {
   std::vector<Node> nodes = rig.nodes;
   PoseState state;
   for (const Node& node : nodes) state.weights.emplace_back(node.weights.begin(), node.weights.end());
-  if (animation >= 0 && !rig.animations.empty()) {
-    if (static_cast<std::size_t>(animation) >= rig.animations.size())
-      throw Error(ErrorKind::usage, "there is no animation " + std::to_string(animation) + "; the scene has " +
+  for (const Playing& played : playing) {
+    if (!std::isfinite(played.seconds)) throw Error(ErrorKind::usage, "the time of an animation must be finite");
+    if (played.animation < 0 || static_cast<std::size_t>(played.animation) >= rig.animations.size())
+      throw Error(ErrorKind::usage, "there is no animation " + std::to_string(played.animation) + "; the scene has " +
                                         std::to_string(rig.animations.size()));
-    const Animation& played = rig.animations[static_cast<std::size_t>(animation)];
-    const double duration = played.duration;
-    const double time = duration > 0 ? seconds - duration * std::floor(seconds / duration) : 0;
-    for (const Channel& channel : played.channels) {
+    const Animation& animation = rig.animations[static_cast<std::size_t>(played.animation)];
+    const float time = timeInLoop(played.seconds, animation.duration);
+    for (const Channel& channel : animation.channels) {
       const auto node = static_cast<std::size_t>(channel.node);
       apply(channel, time, nodes[node], state.weights[node]);
     }
@@ -169,12 +186,39 @@ PoseState evaluate(const Rig& rig, double seconds, int animation) {
   return state;
 }
 
-std::vector<glm::dmat4> worldMatrices(const Rig& rig, double seconds, int animation) {
-  return evaluate(rig, seconds, animation).world;
+std::vector<Playing> playTogether(std::span<const int> animations, double seconds) {
+  std::vector<Playing> playing;
+  for (const int animation : animations) playing.push_back({animation, seconds});
+  return playing;
 }
 
-bool mirrored(const Instance& instance, const PoseState& state) {
-  return instance.skin < 0 && glm::determinant(glm::dmat3(state.world[static_cast<std::size_t>(instance.node)])) < 0;
+std::vector<int> compatibleAnimations(const Rig& rig) {
+  std::vector<int> compatible;
+  std::set<std::pair<int, AnimatedProperty>> taken;
+  for (std::size_t a = 0; a < rig.animations.size(); ++a) {
+    const std::vector<Channel>& channels = rig.animations[a].channels;
+    const bool conflicts = std::any_of(channels.begin(), channels.end(), [&](const Channel& channel) {
+      return taken.count({channel.node, channel.property}) != 0;
+    });
+    if (conflicts) continue;
+    compatible.push_back(static_cast<int>(a));
+    for (const Channel& channel : channels) taken.insert({channel.node, channel.property});
+  }
+  return compatible;
+}
+
+bool mirrored(const Rig& rig, const Instance& instance, const PoseState& state) {
+  const std::vector<glm::dmat4> joints = jointMatrices(rig, instance, state);
+  if (joints.empty()) return glm::determinant(glm::dmat3(state.world[static_cast<std::size_t>(instance.node)])) < 0;
+  std::vector<double> shares(joints.size());
+  for (std::size_t i = 0; i < instance.joints.size(); ++i)
+    for (int k = 0; k < 4; ++k) shares[instance.joints[i][k]] += static_cast<double>(instance.weights[i][k]);
+  double turned = 0;
+  for (std::size_t j = 0; j < joints.size(); ++j) {
+    const double determinant = glm::determinant(glm::dmat3(joints[j]));
+    turned += shares[j] * (determinant < 0 ? 1 : determinant > 0 ? -1 : 0);
+  }
+  return turned > 0;
 }
 
 std::vector<glm::dvec3> worldPositions(const Rig& rig, const Instance& instance, const PoseState& state) {
@@ -188,7 +232,7 @@ std::vector<glm::dvec3> worldPositions(const Rig& rig, const Instance& instance,
 void place(const Rig& rig, const Instance& instance, const PoseState& state, const glm::dvec3& origin,
            std::span<Vertex> vertices) {
   const Placer placer(rig, instance, state);
-  const double flip = mirrored(instance, state) ? -1 : 1;
+  const double flip = mirrored(rig, instance, state) ? -1 : 1;
   std::array<glm::dvec3, 3> corners;
   glm::dvec3 flat(0, 1, 0);
   for (std::size_t i = 0; i < instance.rest.size(); ++i) {
@@ -233,33 +277,41 @@ void follow(Light& light, const glm::dmat4& world, const glm::dvec3& origin) {
   light.direction = glm::vec3(unit(-glm::dvec3(world[2]), {0, 0, -1}));
 }
 
-std::vector<VertexRange> pose(Model& model, double seconds, int animation) {
-  const PoseState state = evaluate(model.rig, seconds, animation);
+SceneChange pose(Model& model, const PoseState& state) {
   Scene& scene = model.scene;
-  std::vector<VertexRange> ranges;
+  SceneChange change;
   std::vector<Vertex> moved;
-  for (const Instance& instance : model.rig.instances) {
+  for (Instance& instance : model.rig.instances) {
     moved.resize(instance.rest.size());
     place(model.rig, instance, state, scene.origin, moved);
     for (const Vertex& vertex : moved)
       if (!std::isfinite(vertex.position.x + vertex.position.y + vertex.position.z))
-        throw Error(ErrorKind::badInput, "an animation moves the scene out of the range of floats: node " +
-                                             std::to_string(instance.node) + " at " + std::to_string(seconds) + " s");
+        throw Error(ErrorKind::badInput,
+                    "an animation moves the scene out of the range of floats: node " + std::to_string(instance.node));
+    const bool turns = turn(scene, instance, mirrored(model.rig, instance, state));
     Vertex* const old = scene.vertices.data() + instance.firstVertex;
-    if (moved.empty() || std::memcmp(old, moved.data(), moved.size() * sizeof(Vertex)) == 0) continue;
+    if (turns) change.turned.push_back({instance.firstTriangle, instance.triangleCount});
+    if (moved.empty()) continue;
+    if (!turns && std::memcmp(old, moved.data(), moved.size() * sizeof(Vertex)) == 0) continue;
     std::copy(moved.begin(), moved.end(), old);
-    if (!ranges.empty() && ranges.back().first + ranges.back().count == instance.firstVertex)
-      ranges.back().count += instance.vertexCount;
+    if (!change.moved.empty() && change.moved.back().first + change.moved.back().count == instance.firstVertex)
+      change.moved.back().count += instance.vertexCount;
     else
-      ranges.push_back({instance.firstVertex, instance.vertexCount});
+      change.moved.push_back({instance.firstVertex, instance.vertexCount});
   }
-  for (std::size_t i = 0; i < model.rig.lightNodes.size(); ++i)
-    if (const int node = model.rig.lightNodes[i]; node >= 0)
-      follow(scene.lights[i], state.world[static_cast<std::size_t>(node)], scene.origin);
+  for (std::size_t i = 0; i < model.rig.lightNodes.size(); ++i) {
+    const int node = model.rig.lightNodes[i];
+    if (node < 0) continue;
+    const Light before = scene.lights[i];
+    follow(scene.lights[i], state.world[static_cast<std::size_t>(node)], scene.origin);
+    change.lights |= before.position != scene.lights[i].position || before.direction != scene.lights[i].direction;
+  }
   for (std::size_t i = 0; i < model.rig.cameraNodes.size(); ++i)
     if (const int node = model.rig.cameraNodes[i]; node >= 0)
       follow(scene.cameras[i], state.world[static_cast<std::size_t>(node)], scene.origin);
-  return ranges;
+  return change;
 }
+
+SceneChange pose(Model& model, std::span<const Playing> playing) { return pose(model, evaluate(model.rig, playing)); }
 
 }  // namespace halfsilver

@@ -4,19 +4,10 @@
 #include <span>
 #include <vector>
 
-#include <halfsilver/model.h>
+#include <halfsilver/pose.h>
 
 // The parts of pose(); a loader places the rest pose with the same functions.
 namespace halfsilver {
-
-struct PoseState {
-  std::vector<glm::dmat4> world;             // one per node, world units
-  std::vector<std::vector<double>> weights;  // morph weights, one list per node
-};
-
-// The rest pose if `animation` < 0 or the rig has no animation. Throws Error (usage) for an unknown animation or a
-// time that is not finite.
-PoseState evaluate(const Rig& rig, double seconds, int animation);
 
 // Absolute world positions of the instance's vertices.
 std::vector<glm::dvec3> worldPositions(const Rig& rig, const Instance& instance, const PoseState& state);
@@ -26,9 +17,10 @@ std::vector<glm::dvec3> worldPositions(const Rig& rig, const Instance& instance,
 void place(const Rig& rig, const Instance& instance, const PoseState& state, const glm::dvec3& origin,
            std::span<Vertex> vertices);
 
-// Whether the instance's node mirrors it, so that its triangles wind the other way round. A skinned instance does
-// not follow its node.
-bool mirrored(const Instance& instance, const PoseState& state);
+// Whether the pose mirrors the instance, so that its triangles wind the other way round: by the determinant of its
+// node's global transform or, of a skinned instance, of its joints' matrices, each weighted by what the vertices give
+// it. A skinned instance does not follow its node.
+bool mirrored(const Rig& rig, const Instance& instance, const PoseState& state);
 
 // Cameras look and lights shine along their node's -z; the node's scale changes neither.
 void follow(Camera& camera, const glm::dmat4& world, const glm::dvec3& origin);

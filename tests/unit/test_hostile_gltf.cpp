@@ -4,6 +4,7 @@
 
 #include <halfsilver/error.h>
 #include <halfsilver/io.h>
+#include <halfsilver/pose.h>
 #include "gltf_files.h"
 
 // Files that are wrong in every conceivable way. A load either succeeds, with a model in which every index is valid, or
@@ -87,7 +88,8 @@ void expectConsistent(const Model& model) {
 void play(Model& model) {
   for (int animation = 0; animation < static_cast<int>(model.rig.animations.size()); ++animation) {
     try {
-      pose(model, 0.4, animation);
+      const Playing playing{animation, 0.4};
+      pose(model, std::span(&playing, 1));
     } catch (const Error& error) {
       EXPECT_EQ(error.kind(), ErrorKind::badInput) << error.what();
     }

@@ -57,6 +57,7 @@ const std::map<std::string, std::string> kPublicHeaders = {
     {"io.h", "io"},
     {"methods.h", "settings"},
     {"model.h", "scene"},
+    {"pose.h", "scene"},
     {"products.h", "frame"},
     {"ray_reader.h", "frame"},
     {"renderer.h", "renderer"},

@@ -4,6 +4,7 @@
 
 #include <halfsilver/error.h>
 #include <halfsilver/io.h>
+#include <halfsilver/pose.h>
 #include "gltf_files.h"
 #include "shared_scenes.h"
 
@@ -27,6 +28,11 @@ GltfFile animated(const char* path, const std::vector<float>& times, const std::
   return file;
 }
 
+SceneChange poseAt(Model& model, double seconds, int animation = 0) {
+  const Playing playing{animation, seconds};
+  return pose(model, std::span(&playing, 1));
+}
+
 glm::vec3 corner(const Model& model, std::size_t k) {
   return model.scene.vertices[model.scene.triangles.at(0).vertices[k]].position;
 }
@@ -37,29 +43,29 @@ TEST(Pose, StaticScenesDoNotMove) {
   GltfFile file;
   file.triangle();
   Model model = load(file);
-  EXPECT_TRUE(pose(model, 3).empty());
+  EXPECT_FALSE(pose(model, evaluate(model.rig, {})).any());
 }
 
 TEST(Pose, LinearTranslationInterpolatesAndLoops) {
   Model model = load(animated("translation", {0, 2}, {0, 0, 0, 4, 0, 0}, "VEC3", "LINEAR"));
   ASSERT_EQ(model.rig.instances.size(), 1u);
-  const auto ranges = pose(model, 0.5);
+  const auto ranges = poseAt(model, 0.5).moved;
   ASSERT_EQ(ranges.size(), 1u);
   EXPECT_EQ(ranges[0].first, 0u);
   EXPECT_EQ(ranges[0].count, model.scene.vertices.size());
   EXPECT_TRUE(near(corner(model, 0), {1, 0, 0}));
-  EXPECT_TRUE(pose(model, 0.5).empty()) << "nothing changed since";
-  pose(model, 2.5);
+  EXPECT_FALSE(poseAt(model, 0.5).any()) << "nothing changed since";
+  poseAt(model, 2.5);
   EXPECT_TRUE(near(corner(model, 0), {1, 0, 0})) << "a loop later";
-  pose(model, -1.5);
+  poseAt(model, -1.5);
   EXPECT_TRUE(near(corner(model, 0), {1, 0, 0})) << "a loop earlier";
 }
 
 TEST(Pose, StepHoldsTheLastKey) {
   Model model = load(animated("scale", {0, 1, 2}, {1, 1, 1, 3, 1, 1, 5, 1, 1}, "VEC3", "STEP"));
-  pose(model, 0.99);
+  poseAt(model, 0.99);
   EXPECT_TRUE(near(corner(model, 1), {1, 0, 0}));
-  pose(model, 1.01);
+  poseAt(model, 1.01);
   EXPECT_TRUE(near(corner(model, 1), {3, 0, 0}));
 }
 
@@ -67,7 +73,7 @@ TEST(Pose, RotationTakesTheShorterWayAtEvenSpeed) {
   const float half = std::sqrt(0.5f);
   // The second quaternion is the rotation by 90 degrees with its sign flipped.
   Model model = load(animated("rotation", {0, 1}, {0, 0, 0, 1, 0, 0, -half, -half}, "VEC4", "LINEAR"));
-  pose(model, 1.0 / 3);
+  poseAt(model, 1.0 / 3);
   const float angle = glm::radians(30.0f);
   EXPECT_TRUE(near(corner(model, 1), {std::cos(angle), std::sin(angle), 0}));
 }
@@ -76,7 +82,7 @@ TEST(Pose, CubicSplineFollowsHermite) {
   // Key 0: value 0, leaving at 2 per second; key 1 at 2 s: value 1, arriving at -1 per second.
   Model model = load(
       animated("translation", {0, 2}, {9, 9, 9, 0, 0, 0, 2, 0, 0, -1, 0, 0, 1, 0, 0, 9, 9, 9}, "VEC3", "CUBICSPLINE"));
-  pose(model, 0.5);
+  poseAt(model, 0.5);
   const double t = 0.25, t2 = t * t, t3 = t2 * t;
   const double expected = 2 * (t3 - 2 * t2 + t) * 2 + (3 * t2 - 2 * t3) * 1 + 2 * (t3 - t2) * -1;
   EXPECT_NEAR(corner(model, 0).x, expected, 1e-6);
@@ -84,7 +90,7 @@ TEST(Pose, CubicSplineFollowsHermite) {
 
 TEST(Pose, BeforeTheFirstKeyItHolds) {
   Model model = load(animated("translation", {1, 2}, {5, 0, 0, 6, 0, 0}, "VEC3", "LINEAR"));
-  pose(model, 0.25);
+  poseAt(model, 0.25);
   EXPECT_TRUE(near(corner(model, 0), {5, 0, 0}));
 }
 
@@ -97,7 +103,7 @@ TEST(Pose, ChildrenCamerasAndLightsFollow) {
   file.root["extensions"]["KHR_lights_punctual"]["lights"] = {{{"type", "point"}}};
   file.add("nodes", {{"camera", 0}, {"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
   Model model = load(file);
-  pose(model, 0.5);
+  poseAt(model, 0.5);
   EXPECT_TRUE(near(corner(model, 0), {1, 4, 0}));
   EXPECT_TRUE(near(model.scene.cameras.at(0).eye, {0, 4, 0}));
   EXPECT_TRUE(near(model.scene.lights.at(0).position, {0, 4, 0}));
@@ -111,7 +117,7 @@ TEST(Pose, MorphTargetsAddUp) {
   file.root["meshes"][0]["weights"] = {0.25, 0};
   Model model = load(file);
   EXPECT_TRUE(near(corner(model, 1), {1, 0.5f, 0})) << "the mesh's weights at rest";
-  pose(model, 0.5);
+  poseAt(model, 0.5);
   EXPECT_TRUE(near(corner(model, 1), {1, 1, 1}));
   // A primitive without normals is flat in every shape.
   const glm::vec3 a = corner(model, 0);
@@ -136,7 +142,7 @@ TEST(Pose, SkinBlendsJointsAndIgnoresItsNode) {
   Model model = load(file);
   ASSERT_EQ(model.rig.instances.size(), 1u);
   EXPECT_TRUE(near(corner(model, 1), {1, 0, 7})) << "the second joint's inverse bind matrix";
-  pose(model, 0.5);
+  poseAt(model, 0.5);
   EXPECT_TRUE(near(corner(model, 0), {0, 0, 0}));
   EXPECT_TRUE(near(corner(model, 1), {1, 3, 7}));
   EXPECT_TRUE(near(corner(model, 2), {0, 1 + 2, 14.0f / 3}));
@@ -147,14 +153,14 @@ TEST(Pose, FarScenesMoveWithDoublePrecision) {
   file.add("nodes", {{"translation", {1e7, 0, 0}}, {"children", {0}}});
   Model model = load(file);
   const float before = corner(model, 0).x;
-  pose(model, 0.5);
+  poseAt(model, 0.5);
   EXPECT_NEAR(corner(model, 0).x - before, 0.0005f, 1e-6) << "a float at 1e7 m steps by one meter";
 }
 
 TEST(Pose, UnknownAnimationsAndTimesAreRefused) {
   Model model = load(animated("translation", {0, 1}, {0, 0, 0, 1, 0, 0}, "VEC3", "LINEAR"));
-  EXPECT_THROW(pose(model, 0, 1), Error);
-  EXPECT_THROW(pose(model, std::nan("")), Error);
+  EXPECT_THROW(poseAt(model, 0, 1), Error);
+  EXPECT_THROW(poseAt(model, std::nan("")), Error);
 }
 
 TEST(Pose, AnimationsThatLeaveTheRangeOfFloatsAreRefused) {
@@ -162,14 +168,15 @@ TEST(Pose, AnimationsThatLeaveTheRangeOfFloatsAreRefused) {
   file.root["nodes"][0]["scale"] = {1, 1, 1};
   file.add("nodes", {{"scale", {10, 1, 1}}, {"children", {0}}});
   Model model = load(file);
-  EXPECT_THROW(pose(model, 0.9), Error);
+  EXPECT_THROW(poseAt(model, 0.9), Error);
 }
 
 TEST(Pose, WorldMatricesAreThoseOfTheHierarchy) {
   GltfFile file = animated("translation", {0, 1}, {0, 0, 0, 0, 8, 0}, "VEC3", "LINEAR");
   file.add("nodes", {{"scale", {2, 2, 2}}, {"children", {0}}});
   const Model model = load(file);
-  const auto world = worldMatrices(model.rig, 0.5, 0);
+  const Playing playing{0, 0.5};
+  const auto world = evaluate(model.rig, std::span(&playing, 1)).world;
   ASSERT_EQ(world.size(), 2u);
   EXPECT_EQ(glm::dvec3(world[1][3]), glm::dvec3(0, 8, 0)) << "parents first";
 }
@@ -188,7 +195,7 @@ TEST_P(PoseOfScene, StaysSane) {
   for (int animation = 0; animation < static_cast<int>(model.rig.animations.size()); ++animation)
     for (const double part : {0.0, 0.13, 0.5, 0.77, 1.4}) {
       const auto& played = model.rig.animations[static_cast<std::size_t>(animation)];
-      changes += pose(model, part * static_cast<double>(played.duration), animation).size();
+      changes += poseAt(model, part * static_cast<double>(played.duration), animation).moved.size();
       const Bounds bounds = model.scene.bounds();
       for (const Vertex& vertex : model.scene.vertices) {
         ASSERT_LT(glm::length(vertex.position - bounds.center()), 20 * size);
@@ -199,7 +206,7 @@ TEST_P(PoseOfScene, StaysSane) {
       EXPECT_LT(bounds.diagonal(), 8 * size) << played.name << " at " << part;
     }
   EXPECT_GT(changes, 1u);
-  pose(model, 0, -1);
+  pose(model, evaluate(model.rig, {}));
   for (std::size_t i = 0; i < rest.size(); ++i)
     ASSERT_TRUE(near(rest[i].position, model.scene.vertices[i].position, 0));
 }

@@ -39,6 +39,7 @@ class DrawClusters {
   std::vector<Bounds> update(const Scene& scene, std::span<const VertexRange> moved);
 
   std::span<const DrawCluster> all() const { return clusters_; }
+  std::span<const std::uint32_t> drawList() const { return drawList_; }  // numbers of triangles
 
  private:
   std::vector<std::uint32_t> drawList_;

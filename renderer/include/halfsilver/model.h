@@ -9,7 +9,7 @@
 #include <halfsilver/scene.h>
 
 // A loaded scene and what can move in it. The rig contains the node hierarchy in double precision and the undeformed
-// geometry; pose() writes world-space vertices into the scene.
+// geometry; pose() (pose.h) writes world-space vertices into the scene.
 namespace halfsilver {
 
 struct Node {
@@ -39,6 +39,7 @@ struct Instance {
   std::vector<glm::uvec4> joints;  // empty or one per vertex
   std::vector<glm::vec4> weights;  // sum 1
   bool flatNormals = false;        // vertices 3k .. 3k + 2 are one triangle, whose normal follows its deformed corners
+  bool turned = false;             // its triangles wind the other way round than the file's, since it is mirrored
 };
 
 struct Skin {
@@ -97,13 +98,8 @@ struct VertexRange {
   std::uint32_t first = 0, count = 0;
 };
 
-// Moves the scene to a time of an animation, which loops: the first one, or that with the index `animation` (-1: the
-// rest pose). Returns the vertex ranges that changed. Node transforms are evaluated in double precision; positions are
-// rounded to float once. Throws Error: usage for an unknown animation or a time that is not finite, badInput if
-// vertices leave the range of floats.
-std::vector<VertexRange> pose(Model& model, double seconds, int animation = 0);
-
-// World matrices of all nodes with the animation applied (double precision, world units).
-std::vector<glm::dmat4> worldMatrices(const Rig& rig, double seconds, int animation);
+struct TriangleRange {
+  std::uint32_t first = 0, count = 0;
+};
 
 }  // namespace halfsilver

@@ -12,7 +12,8 @@ struct SceneChange {
   bool materials = false;  // their values; triangles keep the material that they name
   bool lights = false;     // the list of lights
   bool sky = false;
-  std::vector<VertexRange> moved{};  // vertices with new positions, normals or tangents
+  std::vector<VertexRange> moved{};     // vertices with new positions, normals or tangents
+  std::vector<TriangleRange> turned{};  // triangles that wind the other way round; their vertices are among the moved
 
   // Whether a triangle may be elsewhere than before.
   bool geometry() const { return topology || !moved.empty(); }
@@ -25,10 +26,13 @@ struct SceneChange {
     lights = lights || later.lights;
     sky = sky || later.sky;
     moved.insert(moved.end(), later.moved.begin(), later.moved.end());
-    if (topology) moved.clear();  // nothing has stayed where it was
+    turned.insert(turned.end(), later.turned.begin(), later.turned.end());
+    if (!topology) return;
+    moved.clear();  // nothing has stayed where it was
+    turned.clear();
   }
 
-  static SceneChange everything() { return {true, true, true, true, {}}; }
+  static SceneChange everything() { return {true, true, true, true, {}, {}}; }
 };
 
 }  // namespace halfsilver

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <glm/glm.hpp>
+#include <span>
+#include <vector>
+
+#include <halfsilver/model.h>
+#include <halfsilver/scene_change.h>
+
+// Where everything that can move is at a time. evaluate() plays animations in double precision; pose() is the reference
+// of how vertices follow, on the CPU. Source: the glTF 2.0 specification, sections 3.7 and 3.11.
+namespace halfsilver {
+
+// An animation at a time of its own. It loops: a time beyond its duration starts again; the duration itself is the last
+// pose. Keys compare as the floats that they are.
+struct Playing {
+  int animation = 0;  // into Rig::animations
+  double seconds = 0;
+};
+
+struct PoseState {
+  std::vector<glm::dmat4> world;             // one per node, world units
+  std::vector<std::vector<double>> weights;  // morph weights, one list per node
+};
+
+// The nodes with these animations applied, later ones over earlier ones; the rest pose if there are none. The nodes of
+// the rig may have been edited before. Throws Error (usage) for an unknown animation or a time that is not finite.
+PoseState evaluate(const Rig& rig, std::span<const Playing> playing);
+
+// The animations at one time.
+std::vector<Playing> playTogether(std::span<const int> animations, double seconds);
+
+// All animations that can be played together, in the file's order: each that moves no property of a node that one
+// before it moves.
+std::vector<int> compatibleAnimations(const Rig& rig);
+
+// Moves the scene's vertices, and the lights and cameras that follow nodes. Node transforms are evaluated in double
+// precision; positions are rounded to float once. Returns what changed: vertices, turned triangles and lights.
+// Throws Error (badInput) if vertices leave the range of floats.
+SceneChange pose(Model& model, const PoseState& state);
+SceneChange pose(Model& model, std::span<const Playing> playing);
+
+}  // namespace halfsilver
