@@ -100,7 +100,9 @@ Json infoJson(const std::string& file, const Model& model) {
   json["dropped"] = {{"degenerate", model.dropped.degenerate}, {"non_finite", model.dropped.nonFinite}};
   json["animations"] = Json::array();
   for (const Animation& animation : model.rig.animations)
-    json["animations"].push_back({{"name", animation.name}, {"duration", shortest(animation.duration)}});
+    json["animations"].push_back({{"name", animation.name},
+                                  {"duration", shortest(animation.duration)},
+                                  {"channels", animation.channels.size()}});
   json["parts"] = partsJson(model);
   json["warnings"] = model.warnings;
   return json;
@@ -136,8 +138,11 @@ void printInfo(const Json& json) {
     std::cout << "  " << camera["name"].get<std::string>() << "  eye " << camera["eye"] << " target "
               << camera["target"] << " fov " << camera["fov"] << "\n";
   std::cout << "animations  " << json["animations"].size() << "\n";
-  for (const Json& animation : json["animations"])
-    std::cout << "  " << animation["name"].get<std::string>() << "  " << animation["duration"] << " s\n";
+  for (std::size_t a = 0; a < json["animations"].size(); ++a) {
+    const Json& animation = json["animations"][a];
+    std::cout << "  " << a << " '" << animation["name"].get<std::string>() << "'  " << animation["duration"] << " s, "
+              << animation["channels"] << " channels\n";
+  }
   std::cout << "parts       " << json["parts"].size() << " (see --json)\n";
   std::cout << "materials   " << json["materials"].size() << "\n";
   printMaterials(json["materials"]);

@@ -1,6 +1,4 @@
-#include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -9,88 +7,26 @@
 #include <vector>
 
 #include <halfsilver/budget.h>
-#include <halfsilver/context.h>
 #include <halfsilver/error.h>
-#include <halfsilver/io.h>
 #include <halfsilver/renderer.h>
-#include "apps/arguments.h"
 #include "apps/commands.h"
 #include "apps/drawing.h"
-#include "apps/offscreen.h"
-#include "apps/progress.h"
-#include "apps/statistics.h"
-#include "apps/view_request.h"
-#include "apps/wall_clock.h"
-#include "io/atomic_file.h"
+#include "apps/outputs.h"
+#include "apps/render_job.h"
+#include "apps/sequence.h"
 
 namespace halfsilver {
 namespace {
 
 struct RenderRequest {
   ViewRequest view;
-  std::string output, stats, layers;
+  OutputPaths outputs;
   std::optional<int> repeat;
+  std::string frames;
+  std::optional<double> framesPerSecond;
+  bool overwrite = false;
   std::optional<double> budgetMilliseconds, budgetMegabytes;
 };
-
-std::string lowerExtension(const std::string& file) {
-  std::string extension = std::filesystem::path(file).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : static_cast<char>(c);
-  });
-  return extension;
-}
-
-// The output files of a run: either all appear or none.
-class Outputs {
- public:
-  explicit Outputs(const RenderRequest& request) {
-    const std::string extension = lowerExtension(request.output);
-    if (extension != ".png" && extension != ".exr")
-      throw Error(ErrorKind::usage, "-o " + request.output + ": the picture must be a .png or .exr file");
-    if (!request.layers.empty() && lowerExtension(request.layers) != ".exr")
-      throw Error(ErrorKind::usage, "--layers " + request.layers + ": layers must be an .exr file");
-    linear_ = extension == ".exr";
-    add(picture_, request.output);
-    add(stats_, request.stats);
-    add(layers_, request.layers);
-  }
-
-  bool linear() const { return linear_; }
-  bool wantsLayers() const { return linear_ || layers_.has_value(); }
-
-  void writePicture(std::span<const std::byte> bytes) { picture_->write(bytes); }
-  void writeStatistics(const RunStatistics& statistics) {
-    if (stats_) stats_->write(dump(toJson(statistics)));
-  }
-  void writeLayers(const Image& layers, double diagonal) {
-    if (layers_) layers_->write(encodeExr(layers, diagonal));
-  }
-  // Every file is complete by now: all that is left is to rename them.
-  void commit() {
-    for (std::optional<AtomicFile>* file : {&layers_, &stats_, &picture_})
-      if (*file) (*file)->commit();
-  }
-
- private:
-  void add(std::optional<AtomicFile>& file, const std::string& path) {
-    if (path.empty()) return;
-    const std::filesystem::path absolute = std::filesystem::weakly_canonical(std::filesystem::absolute(path));
-    if (std::find(paths_.begin(), paths_.end(), absolute) != paths_.end())
-      throw Error(ErrorKind::usage, path + " is given for two outputs");
-    paths_.push_back(absolute);
-    file.emplace(path);
-  }
-
-  std::optional<AtomicFile> picture_, stats_, layers_;
-  std::vector<std::filesystem::path> paths_;
-  bool linear_ = false;
-};
-
-void addWarnings(const std::vector<std::string>& from, std::vector<std::string>& to) {
-  for (const std::string& warning : from)
-    if (std::find(to.begin(), to.end(), warning) == to.end()) to.push_back(warning);
-}
 
 // Frames that a budget may take to settle.
 constexpr int kMaxBudgetFrames = 60;
@@ -169,14 +105,9 @@ class Frames {
   }
 
   void warnOfLosses() {
-    const FrameReport& report = statistics_->report;
     if (statistics_->budget && statistics_->budget->held < statistics_->budget->frames)
       addWarnings({"not every frame stayed within the budget"}, statistics_->warnings);
-    if (report.overflow > 0)
-      addWarnings({std::to_string(report.overflow) + " rays were given up (hit.T -3)"}, statistics_->warnings);
-    if (report.lostFragments > 0)
-      addWarnings({std::to_string(report.lostFragments) + " fragments did not fit into the A-buffer"},
-                  statistics_->warnings);
+    halfsilver::warnOfLosses(statistics_->report, statistics_->warnings);
   }
 
   Renderer* renderer_;
@@ -186,72 +117,40 @@ class Frames {
   std::optional<Budget> budget_;
 };
 
-// Writes the last frame under temporary names.
-void writePictures(const Renderer& renderer, const OffscreenTarget& target, const Size& size, double diagonal,
-                   Outputs& outputs) {
-  const Image layers = outputs.wantsLayers() ? renderer.readLayers() : Image{};
-  if (outputs.linear()) {
-    Image picture{layers.width, layers.height, {"R", "G", "B", "A"}, {}};
-    picture.data.reserve(layers.pixelCount() * 4);
-    for (std::size_t pixel = 0; pixel < layers.pixelCount(); ++pixel)
-      for (const std::string& name : picture.channels)
-        picture.data.push_back(
-            layers.data[pixel * layers.channels.size() + static_cast<std::size_t>(layers.channel(name))]);
-    outputs.writePicture(encodeExr(picture, diagonal));
-  } else {
-    outputs.writePicture(encodePng(size.width, size.height, target.read()));
-  }
-  outputs.writeLayers(layers, diagonal);
-}
-
 void checkBudget(const char* option, const std::optional<double>& limit) {
   if (limit && !(*limit > 0 && std::isfinite(*limit)))
     throw Error(ErrorKind::usage, std::string(option) + " must be a number greater than 0");
 }
 
-void render(const RenderRequest& request) {
-  WallClock clock;
-  // First everything that can be wrong with the request itself, before any long work.
+// First everything that can be wrong with the request itself, before any long work.
+std::optional<FrameRange> checkRequest(const RenderRequest& request) {
   checkBudget("--budget-ms", request.budgetMilliseconds);
   checkBudget("--budget-mb", request.budgetMegabytes);
-  const ViewArguments arguments = checkView(request.view);
-  const Size& size = arguments.size;
-  RunStatistics statistics;
-  statistics.settings = baseSettings(request.view);
-  applyOverrides(statistics.settings, request.view);
-  Outputs outputs(request);
+  checkOutputs(request.outputs);
+  if (request.frames.empty()) {
+    if (request.framesPerSecond || request.overwrite)
+      throw Error(ErrorKind::usage, std::string(request.overwrite ? "--overwrite" : "--fps") + " needs --frames");
+    return std::nullopt;
+  }
+  if (request.view.time || request.repeat || request.budgetMilliseconds || request.budgetMegabytes)
+    throw Error(ErrorKind::usage, "--frames cannot be combined with --time, --repeat or a budget");
+  return parseFrames(request.frames, request.framesPerSecond.value_or(kFramesPerSecond));
+}
 
-  Progress progress;
+void renderPicture(const RenderRequest& request, const ViewArguments& arguments, const Settings& settings,
+                   Progress& progress, WallClock& clock) {
+  Outputs outputs(request.outputs);
   progress.show("loading " + request.view.scene);
-  const Model model = loadModel(request.view, arguments);
+  Model model = loadPosedModel(request.view, arguments);
   const Camera camera = chooseCamera(model.scene, arguments.camera);
-  statistics.sceneFile = request.view.scene;
-  statistics.triangles = model.scene.triangles.size();
-  statistics.vertices = model.scene.vertices.size();
-  statistics.materials = model.scene.materials.size();
-  statistics.textures = model.scene.textures.size();
-  statistics.lights = model.scene.lights.size();
-  statistics.diagonal = model.scene.bounds().diagonal();
-  statistics.width = size.width;
-  statistics.height = size.height;
-  statistics.warnings = model.warnings;
   clock.lap("load");
+  RenderJob job(request.view, arguments, settings, std::move(model), progress, clock);
+  RunStatistics& statistics = job.statistics;
 
-  const Context context = makeContext(contextKind(request.view.context));
-  const gl::Api api = gl::Api::load(context.getProcAddress());
-  const OffscreenTarget target(api, size);
-  Renderer renderer(context.getProcAddress(), exactFactory(model.scene, request.view.threads));
-  statistics.device = renderer.device();
-  statistics.context = context.name();
-  clock.lap("context");
-  progress.show("uploading " + std::to_string(statistics.triangles) + " triangles");
-  renderer.setScene(model.scene);
-  clock.lap("upload");
-
-  const int repeat = request.repeat.value_or(request.stats.empty() ? 0 : 1);
-  Frames(renderer, camera, target.target(), request, statistics).draw(repeat, progress, clock);
-  progress.show("writing " + request.output);
-  writePictures(renderer, target, size, statistics.diagonal, outputs);
+  const int repeat = request.repeat.value_or(request.outputs.stats.empty() ? 0 : 1);
+  Frames(job.renderer, camera, job.target.target(), request, statistics).draw(repeat, progress, clock);
+  progress.show("writing " + request.outputs.picture);
+  outputs.writePictures(job.renderer, job.target, statistics.diagonal);
   clock.lap("write");
   statistics.wallMilliseconds = clock.milliseconds();
   outputs.writeStatistics(statistics);
@@ -263,10 +162,26 @@ void render(const RenderRequest& request) {
   outputs.commit();
 }
 
+void render(const RenderRequest& request) {
+  WallClock clock;
+  const std::optional<FrameRange> range = checkRequest(request);
+  const ViewArguments arguments = checkView(request.view);
+  Settings settings = baseSettings(request.view);
+  applyOverrides(settings, request.view);
+  Progress progress;
+  if (range)
+    renderSequence({request.view, arguments, settings, request.outputs, *range, request.overwrite}, progress, clock);
+  else
+    renderPicture(request, arguments, settings, progress, clock);
+}
+
 void addOutputOptions(CLI::App& command, RenderRequest& request) {
-  command.add_option("-o,--output", request.output, "Picture: .png (tone-mapped sRGB) or .exr (linear)")->required();
-  command.add_option("--stats", request.stats, "Write statistics as JSON to this file");
-  command.add_option("--layers", request.layers,
+  command
+      .add_option("-o,--output", request.outputs.picture,
+                  "Picture: .png (tone-mapped sRGB) or .exr (linear); #### is the frame's number, with --frames")
+      ->required();
+  command.add_option("--stats", request.outputs.stats, "Write statistics as JSON to this file");
+  command.add_option("--layers", request.outputs.layers,
                      "Write all layers to one .exr file: depth, normal, selected, hit, reflection, ...");
 }
 
@@ -283,6 +198,12 @@ void addRenderCommand(CLI::App& program) {
                    "Frames to measure after the first one; times are medians (default: 1 with --stats, otherwise "
                    "none, and the picture is the first frame)")
       ->check(CLI::Range(1, 100000));
+  command->add_option(
+      "--frames", request.frames,
+      "A..B: render an image sequence of the animations, frame n at n / fps seconds; frames whose files "
+      "exist are left as they are");
+  command->add_option("--fps", request.framesPerSecond, "Frames per second of the sequence (default: 24)");
+  command->add_flag("--overwrite", request.overwrite, "Render frames anew whose files exist");
   command->add_option("--budget-ms", request.budgetMilliseconds,
                       "Time limit per frame in milliseconds; drops the least visible reflections until it is met");
   command->add_option("--budget-mb", request.budgetMegabytes,

@@ -3,24 +3,35 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <optional>
 
 #include <halfsilver/builtin.h>
 #include <halfsilver/error.h>
 #include <halfsilver/io.h>
+#include <halfsilver/pose.h>
 
 namespace halfsilver {
 namespace {
 
 [[noreturn]] void reject(const std::string& what) { throw Error(ErrorKind::usage, what); }
 
+std::optional<std::size_t> indexOf(const std::string& text) {
+  std::size_t index = 0;
+  const char* end = text.data() + text.size();
+  const auto parsed = std::from_chars(text.data(), end, index);
+  if (parsed.ec != std::errc() || parsed.ptr != end) return std::nullopt;
+  return index;
+}
+
+std::string animationName(const std::vector<Animation>& animations, std::size_t index) {
+  return std::to_string(index) + " '" + animations[index].name + "'";
+}
+
 const Camera& cameraByName(const Scene& scene, const std::string& name) {
   const auto found = std::find_if(scene.cameras.begin(), scene.cameras.end(),
                                   [&](const Camera& camera) { return camera.name == name; });
   if (found != scene.cameras.end()) return *found;
-  std::size_t index = 0;
-  const char* end = name.data() + name.size();
-  const auto parsed = std::from_chars(name.data(), end, index);
-  if (parsed.ec == std::errc() && parsed.ptr == end && index < scene.cameras.size()) return scene.cameras[index];
+  if (const auto index = indexOf(name); index && *index < scene.cameras.size()) return scene.cameras[*index];
   std::vector<std::string> names;
   for (std::size_t i = 0; i < scene.cameras.size(); ++i)
     names.push_back(std::to_string(i) + " '" + scene.cameras[i].name + "'");
@@ -78,6 +89,29 @@ Camera chooseCamera(const Scene& scene, const CameraRequest& request) {
     camera.verticalFov = static_cast<float>(glm::radians(*request.fov));
   }
   return camera;
+}
+
+std::vector<int> chooseAnimations(const Rig& rig, const std::string& name, std::vector<std::string>& warnings) {
+  const std::vector<Animation>& animations = rig.animations;
+  if (name.empty() || name == "all") {
+    std::vector<int> compatible = compatibleAnimations(rig);
+    std::vector<std::string> others;
+    for (std::size_t a = 0; a < animations.size(); ++a)
+      if (!std::binary_search(compatible.begin(), compatible.end(), static_cast<int>(a)))
+        others.push_back(animationName(animations, a));
+    if (!others.empty())
+      warnings.push_back("not played, since they move what earlier animations move (see --animation): " +
+                         listNames(others));
+    return compatible;
+  }
+  const auto named = std::find_if(animations.begin(), animations.end(),
+                                  [&](const Animation& animation) { return animation.name == name; });
+  if (named != animations.end()) return {static_cast<int>(named - animations.begin())};
+  if (const auto index = indexOf(name); index && *index < animations.size()) return {static_cast<int>(*index)};
+  std::vector<std::string> names;
+  for (std::size_t a = 0; a < animations.size(); ++a) names.push_back(animationName(animations, a));
+  reject("unknown animation '" + name + "'; " +
+         (names.empty() ? "the scene has none" : "known are all, " + listNames(names)));
 }
 
 std::string listNames(const std::vector<std::string>& names) {

@@ -28,6 +28,10 @@ struct CameraRequest {
 // and 180.
 Camera chooseCamera(const Scene& scene, const CameraRequest& request);
 
+// The animations that --animation names: "all" or nothing for all that do not conflict, else one by name or index. A
+// warning says which conflict. Throws Error (usage) for an unknown one.
+std::vector<int> chooseAnimations(const Rig& rig, const std::string& name, std::vector<std::string>& warnings);
+
 // "a, b, c", shortened if it is long.
 std::string listNames(const std::vector<std::string>& names);
 

@@ -215,7 +215,7 @@ void tune(const TuneRequest& request) {
 
   Progress progress;
   progress.show("loading " + request.view.scene);
-  const Model model = loadModel(request.view, arguments);
+  const Model model = loadPosedModel(request.view, arguments);
   const Camera camera = chooseCamera(model.scene, arguments.camera);
   const Context context = makeContext(contextKind(request.view.context));
   const gl::Api api = gl::Api::load(context.getProcAddress());

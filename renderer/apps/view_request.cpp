@@ -1,5 +1,6 @@
 #include "apps/view_request.h"
 
+#include <halfsilver/error.h>
 #include <halfsilver/io.h>
 #include <halfsilver/pose.h>
 
@@ -12,7 +13,9 @@ void addViewOptions(CLI::App& command, ViewRequest& request) {
   command.add_option("--eye", request.eye, "X,Y,Z in world coordinates: place the camera here; needs --target");
   command.add_option("--target", request.target, "X,Y,Z in world coordinates: the point that the camera looks at");
   command.add_option("--fov", request.fov, "Vertical field of view in degrees, with --eye or a camera of the scene");
-  command.add_option("--time", request.time, "Pose the scene at this time of its first animation, in seconds");
+  command.add_option("--time", request.time, "Pose the scene at this time of its animations, in seconds");
+  command.add_option("--animation", request.animation,
+                     "Play this animation, by name or index (default: all that move different things)");
   command
       .add_option("--mirror", request.mirrors,
                   "MATERIAL=REFLECTIVITY: turn a material into a mirror; * for all materials")
@@ -62,10 +65,20 @@ Model loadModel(const ViewRequest& request, const ViewArguments& arguments) {
       model.warnings.push_back(request.sky + ": " + std::to_string(repaired) +
                                " values that are not a number or outside 0..65504 were clamped");
   }
-  if (request.time) {
-    if (model.rig.animations.empty()) model.warnings.emplace_back("the scene has no animation: --time has no effect");
-    pose(model, playTogether(compatibleAnimations(model.rig), *request.time));
-  }
+  return model;
+}
+
+std::vector<int> chooseAnimations(const ViewRequest& request, Model& model) {
+  if (model.rig.animations.empty()) model.warnings.emplace_back("the scene has no animation: its time has no effect");
+  return chooseAnimations(model.rig, request.animation, model.warnings);
+}
+
+Model loadPosedModel(const ViewRequest& request, const ViewArguments& arguments) {
+  Model model = loadModel(request, arguments);
+  if (request.time)
+    pose(model, playTogether(chooseAnimations(request, model), *request.time));
+  else if (!request.animation.empty())
+    throw Error(ErrorKind::usage, "--animation needs --time or --frames");
   return model;
 }
 

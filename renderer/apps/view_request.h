@@ -19,6 +19,7 @@ struct ViewRequest {
   std::string size = "960x540";
   std::string camera, eye, target;
   std::optional<double> fov, time;
+  std::string animation;
   std::vector<std::string> mirrors, set;
   std::string sky, preset, config;
   std::optional<int> bounces;
@@ -44,7 +45,13 @@ Settings baseSettings(const ViewRequest& request);
 // --set, then --bounces: what the user names individually comes last.
 void applyOverrides(Settings& settings, const ViewRequest& request);
 
-// Loads the scene with its mirrors, sky and pose. Throws Error (badInput; usage for an unknown material).
+// Loads the scene with its mirrors and sky, at rest. Throws Error (badInput; usage for an unknown material).
 Model loadModel(const ViewRequest& request, const ViewArguments& arguments);
+
+// The animations that the request plays; warns if there are none although a time is asked for.
+std::vector<int> chooseAnimations(const ViewRequest& request, Model& model);
+
+// The same as loadModel(), posed at --time if that is given.
+Model loadPosedModel(const ViewRequest& request, const ViewArguments& arguments);
 
 }  // namespace halfsilver

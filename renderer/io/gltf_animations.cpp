@@ -55,6 +55,8 @@ class ChannelReader {
     else if (sampler.interpolation != "LINEAR")
       diagnostics_.warn("an unknown interpolation is treated as LINEAR: " + where);
     readKeys(sampler, width, channel, where);
+    dropKeys(channel, width, where);
+    if (channel.times.empty()) return leaveOut("without a key at or after 0 its target is", where);
     return channel;
   }
 
@@ -68,9 +70,6 @@ class ChannelReader {
                 const std::string& where) {
     channel.times = readFloats(document_, diagnostics_, sampler.input, 1, 1, where + ".input").values;
     requireFinite(channel.times, diagnostics_, where + ".input");
-    if (channel.times.front() < 0 ||
-        std::adjacent_find(channel.times.begin(), channel.times.end(), std::greater_equal<>()) != channel.times.end())
-      diagnostics_.fail("has times that do not increase from 0", where + ".input");
     const bool isWeights = channel.property == AnimatedProperty::weights;
     const int components = isWeights ? 1 : static_cast<int>(width);
     channel.values =
@@ -82,6 +81,24 @@ class ChannelReader {
                             " keys of " + std::to_string(width),
                         where + ".output");
     if (channel.property == AnimatedProperty::rotation) requireDirections(channel, where);
+  }
+
+  // Keys must increase from 0: one that does not is left out, and what it says with it.
+  void dropKeys(halfsilver::Channel& channel, std::size_t width, const std::string& where) {
+    const std::size_t perKey = width * (channel.interpolation == Interpolation::cubicSpline ? 3 : 1);
+    std::size_t kept = 0;
+    for (std::size_t key = 0; key < channel.times.size(); ++key) {
+      if (channel.times[key] < 0 || (kept > 0 && channel.times[key] <= channel.times[kept - 1])) continue;
+      channel.times[kept] = channel.times[key];
+      std::copy_n(channel.values.begin() + static_cast<std::ptrdiff_t>(key * perKey), perKey,
+                  channel.values.begin() + static_cast<std::ptrdiff_t>(kept * perKey));
+      ++kept;
+    }
+    if (kept == channel.times.size()) return;
+    diagnostics_.warn(std::to_string(channel.times.size() - kept) +
+                      " keys whose times do not increase from 0 were left out: " + where + ".input");
+    channel.times.resize(kept);
+    channel.values.resize(kept * perKey);
   }
 
   void requireDirections(const halfsilver::Channel& channel, const std::string& where) const {

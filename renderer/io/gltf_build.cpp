@@ -195,17 +195,18 @@ class Builder {
       shape.firstTriangle = static_cast<std::uint32_t>(scene.triangles.size());
       shape.turned = mirrored(model_.rig, shape, rest_);
       const bool rigid = shape.skin < 0 && shape.targets.empty();
+      const bool moves = canMove(model_.rig, moving_, shape);
       for (const auto& source : geometry.triangles) {
         Triangle triangle;
         triangle.material = geometry.material;
         for (std::size_t k = 0; k < 3; ++k) triangle.vertices[k] = shape.firstVertex + source[k];
         if (shape.turned) std::swap(triangle.vertices[1], triangle.vertices[2]);
         const bool finite = geometry.finite[source[0]] && geometry.finite[source[1]] && geometry.finite[source[2]];
-        keep(triangle, finite, !rigid || hasArea(shape, source));
+        keep(triangle, finite, !rigid || hasArea(shape, source), moves);
       }
       shape.triangleCount = static_cast<std::uint32_t>(scene.triangles.size()) - shape.firstTriangle;
       addPart(geometry);
-      if (canMove(model_.rig, moving_, shape)) model_.rig.instances.push_back(shape);
+      if (moves) model_.rig.instances.push_back(shape);
     });
     if (scene.triangles.empty())
       diagnostics_.fail("has no triangles left", std::to_string(model_.dropped.degenerate) + " are degenerate, " +
@@ -216,11 +217,12 @@ class Builder {
         vertex.position = glm::vec3(0);
   }
 
-  void keep(const Triangle& triangle, bool finite, bool hasArea) {
+  // What moves may be degenerate at rest: a later pose shows it, unless its own shape has no area.
+  void keep(const Triangle& triangle, bool finite, bool hasArea, bool moves) {
     const auto corner = [&](std::size_t k) { return model_.scene.vertices[triangle.vertices[k]].position; };
     if (!finite)
       ++model_.dropped.nonFinite;
-    else if (!hasArea || !hasNormal(corner(0), corner(1), corner(2)))
+    else if (!hasArea || !(moves || hasNormal(corner(0), corner(1), corner(2))))
       ++model_.dropped.degenerate;
     else
       model_.scene.triangles.push_back(triangle);
@@ -248,7 +250,7 @@ class Builder {
       follow(scene.lights[i], worldOf(model_.rig.lightNodes[i]), scene.origin);
     for (std::size_t i = 0; i < scene.cameras.size(); ++i) {
       scene.cameras[i].eye = glm::vec3(0);
-      scene.cameras[i].target = glm::vec3(0, 0, -0.5f * bounds.diagonal());
+      scene.cameras[i].target = glm::vec3(0, 0, bounds.diagonal() > 0 ? -0.5f * bounds.diagonal() : -1.0f);
       follow(scene.cameras[i], worldOf(model_.rig.cameraNodes[i]), scene.origin);
     }
     if (scene.lights.empty()) {

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
@@ -67,6 +68,94 @@ TEST(Pose, StepHoldsTheLastKey) {
   EXPECT_TRUE(near(corner(model, 1), {1, 0, 0}));
   poseAt(model, 1.01);
   EXPECT_TRUE(near(corner(model, 1), {3, 0, 0}));
+}
+
+TEST(Pose, AKeyHoldsFromTheFloatOfItsTimeOn) {
+  std::vector<float> times, values;
+  for (int tenth = 0; tenth <= 10; ++tenth) {
+    times.push_back(static_cast<float>(tenth) / 10);
+    values.insert(values.end(), {static_cast<float>(tenth), 0, 0});
+  }
+  Model model = load(animated("translation", times, values, "VEC3", "STEP"));
+  for (int tenth = 0; tenth <= 10; ++tenth) {
+    poseAt(model, tenth / 10.0);
+    EXPECT_EQ(corner(model, 0).x, static_cast<float>(tenth));
+  }
+}
+
+TEST(Pose, TheDurationIsTheLastPoseWhateverItIs) {
+  for (const float duration : {0.1f, 0.4f, 0.9f, 1.0f, 3.3f, 100.7f}) {
+    Model model = load(animated("translation", {0, duration}, {0, 0, 0, 4, 0, 0}, "VEC3", "LINEAR"));
+    poseAt(model, std::stod(std::to_string(duration)));
+    EXPECT_NEAR(corner(model, 0).x, 4, 1e-5f) << duration;
+  }
+}
+
+TEST(Pose, KeysThatDoNotIncreaseFromZeroAreLeftOut) {
+  const Model model = load(animated("translation", {-1, 0, 0, 2, 1, 3},
+                                    {9, 9, 9, 0, 0, 0, 9, 9, 9, 2, 0, 0, 9, 9, 9, 3, 0, 0}, "VEC3", "LINEAR"));
+  const Channel& channel = model.rig.animations.at(0).channels.at(0);
+  EXPECT_EQ(channel.times, (std::vector<float>{0, 2, 3}));
+  EXPECT_EQ(channel.values, (std::vector<float>{0, 0, 0, 2, 0, 0, 3, 0, 0}));
+  const auto& warnings = model.warnings;
+  EXPECT_EQ(std::count_if(warnings.begin(), warnings.end(),
+                          [](const std::string& line) { return line.find("3 keys") != std::string::npos; }),
+            1);
+  EXPECT_TRUE(load(animated("translation", {-2, -1}, {9, 9, 9, 9, 9, 9}, "VEC3", "LINEAR"))
+                  .rig.animations.at(0)
+                  .channels.empty());
+}
+
+glm::vec3 facing(const Model& model, std::size_t triangle = 0) {
+  const auto& corners = model.scene.triangles.at(triangle).vertices;
+  const auto at = [&](std::size_t k) { return model.scene.vertices[corners[k]].position; };
+  return glm::cross(at(1) - at(0), at(2) - at(0));
+}
+
+TEST(Pose, TrianglesTurnWhenAnAnimationMirrorsThem) {
+  Model model = load(animated("scale", {0, 1}, {1, 1, 1, -1, 1, 1}, "VEC3", "LINEAR"));
+  const std::size_t count = model.scene.triangles.size();
+  EXPECT_TRUE(poseAt(model, 0.25).turned.empty());
+  EXPECT_GT(facing(model).z, 0);
+  const SceneChange change = poseAt(model, 0.75);
+  ASSERT_EQ(change.turned.size(), 1u);
+  EXPECT_EQ(change.turned[0].count, count);
+  EXPECT_GT(facing(model).z, 0) << "what faced the viewer still does";
+  EXPECT_GT(model.scene.vertices[0].normal.z, 0);
+  EXPECT_TRUE(poseAt(model, 0.9).turned.empty());
+  EXPECT_EQ(poseAt(model, 0.1).turned.size(), 1u);
+  EXPECT_GT(facing(model).z, 0);
+}
+
+TEST(Pose, TrianglesWithoutAreaAtRestAreKeptIfTheyCanMove) {
+  GltfFile file = animated("scale", {0, 1}, {0, 0, 0, 1, 1, 1}, "VEC3", "LINEAR");
+  file.root["nodes"][0]["scale"] = {0, 0, 0};
+  Model model = load(file);
+  ASSERT_EQ(model.scene.triangles.size(), 1u) << "empty at rest, and loaded all the same";
+  poseAt(model, 1);
+  EXPECT_GT(facing(model).z, 0);
+  file.root.erase("animations");
+  EXPECT_THROW(load(file), Error) << "nothing will ever show";
+}
+
+TEST(Pose, AnimationsPlayTogetherUnlessTheyMoveTheSame) {
+  Rig rig;
+  rig.nodes.resize(3);
+  const auto add = [&](std::vector<std::pair<int, AnimatedProperty>> moves) {
+    Animation animation{"", 1, {}};
+    for (const auto& [node, property] : moves)
+      animation.channels.push_back({node, property, Interpolation::linear, {0, 1}, {0, 0, 0, 1, 1, 1}});
+    rig.animations.push_back(animation);
+  };
+  add({{0, AnimatedProperty::translation}});
+  add({{0, AnimatedProperty::scale}, {1, AnimatedProperty::translation}});
+  add({{0, AnimatedProperty::scale}});
+  add({{2, AnimatedProperty::translation}});
+  EXPECT_EQ(compatibleAnimations(rig), (std::vector<int>{0, 1, 3}));
+  const auto world = evaluate(rig, std::vector<Playing>{{0, 0.5}, {3, 0.25}}).world;
+  EXPECT_EQ(glm::dvec3(world[0][3]), glm::dvec3(0.5));
+  EXPECT_EQ(glm::dvec3(world[2][3]), glm::dvec3(0.25)) << "each at its own time";
+  EXPECT_EQ(glm::dvec3(world[1][3]), glm::dvec3(0));
 }
 
 TEST(Pose, RotationTakesTheShorterWayAtEvenSpeed) {

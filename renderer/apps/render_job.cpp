@@ -1,0 +1,57 @@
+#include "apps/render_job.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "apps/drawing.h"
+
+namespace halfsilver {
+namespace {
+
+RunStatistics describeRun(const ViewRequest& view, const ViewArguments& arguments, Settings settings,
+                          const Model& model) {
+  RunStatistics statistics;
+  statistics.settings = std::move(settings);
+  statistics.sceneFile = view.scene;
+  statistics.triangles = model.scene.triangles.size();
+  statistics.vertices = model.scene.vertices.size();
+  statistics.materials = model.scene.materials.size();
+  statistics.textures = model.scene.textures.size();
+  statistics.lights = model.scene.lights.size();
+  statistics.diagonal = model.scene.bounds().diagonal();
+  statistics.width = arguments.size.width;
+  statistics.height = arguments.size.height;
+  statistics.warnings = model.warnings;
+  return statistics;
+}
+
+}  // namespace
+
+RenderJob::RenderJob(const ViewRequest& view, const ViewArguments& arguments, Settings settings, Model loaded,
+                     Progress& progress, WallClock& clock)
+    : model(std::move(loaded)),
+      statistics(describeRun(view, arguments, std::move(settings), model)),
+      context(makeContext(contextKind(view.context))),
+      api(gl::Api::load(context.getProcAddress())),
+      target(api, arguments.size),
+      renderer(context.getProcAddress(), exactFactory(model.scene, view.threads)) {
+  statistics.device = renderer.device();
+  statistics.context = context.name();
+  clock.lap("context");
+  progress.show("uploading " + std::to_string(statistics.triangles) + " triangles");
+  renderer.setScene(model.scene);
+  clock.lap("upload");
+}
+
+void addWarnings(const std::vector<std::string>& from, std::vector<std::string>& to) {
+  for (const std::string& warning : from)
+    if (std::find(to.begin(), to.end(), warning) == to.end()) to.push_back(warning);
+}
+
+void warnOfLosses(const FrameReport& report, std::vector<std::string>& warnings) {
+  if (report.overflow > 0) addWarnings({std::to_string(report.overflow) + " rays were given up (hit.T -3)"}, warnings);
+  if (report.lostFragments > 0)
+    addWarnings({std::to_string(report.lostFragments) + " fragments did not fit into the A-buffer"}, warnings);
+}
+
+}  // namespace halfsilver

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <halfsilver/context.h>
+#include <halfsilver/renderer.h>
+#include "apps/offscreen.h"
+#include "apps/progress.h"
+#include "apps/statistics.h"
+#include "apps/view_request.h"
+#include "apps/wall_clock.h"
+
+namespace halfsilver {
+
+// All that drawing a scene without a window takes: the model, a context, a target and a renderer that holds the scene.
+struct RenderJob {
+  // Loads and uploads. Throws Error: badInput, noContext.
+  RenderJob(const ViewRequest& view, const ViewArguments& arguments, Settings settings, Model loaded,
+            Progress& progress, WallClock& clock);
+  RenderJob(const RenderJob&) = delete;
+
+  Model model;
+  RunStatistics statistics;
+  Context context;
+  gl::Api api;
+  OffscreenTarget target;
+  Renderer renderer;
+};
+
+// Adds those that are not there yet.
+void addWarnings(const std::vector<std::string>& from, std::vector<std::string>& to);
+// Adds what the report says was lost.
+void warnOfLosses(const FrameReport& report, std::vector<std::string>& warnings);
+
+}  // namespace halfsilver
