@@ -20,6 +20,7 @@
 #include "gl/state_guard.h"
 #include "passes/composite.h"
 #include "passes/gbuffer.h"
+#include "passes/motion.h"
 #include "passes/shade.h"
 #include "passes/shadows.h"
 
@@ -39,6 +40,7 @@ struct Renderer::Impl {
   std::vector<Method> methods;  // the caller's own
   ShadowPass shadowPass{api};
   GBufferPass gbufferPass{api};
+  MotionPass motionPass{api};
   ShadePass shadePass{api};
   CompositePass compositePass{api};
   std::unique_ptr<RayEffect> effect = makeEffect(api, {});
@@ -47,7 +49,8 @@ struct Renderer::Impl {
   std::vector<Light> lights;
   Sky sky;
   bool hasScene = false;
-  SceneChange change;  // since the tracer was updated
+  SceneChange change;              // since the tracer was updated
+  std::vector<VertexRange> moved;  // since the last frame
 
   ShadowMaps shadows;
   std::optional<ShadowSettings> shadowSettings;  // of the maps; none: they are out of date
@@ -192,6 +195,13 @@ void Renderer::Impl::begin(const Camera& camera, const Settings& wanted, int wid
 
   const FrameView view = viewOf(frame, record.profiler());
   gbufferPass.run(view, frame.gbuffer);
+  if (wanted.image.motion) {
+    motionPass.run(view, std::exchange(moved, {}), frame.gbuffer);
+  } else {
+    motionPass.forget();
+    frame.gbuffer.motion = gl::Texture();
+  }
+  moved.clear();
   if (tracer) {
     for (RayQueue& queue : frame.queues)
       if (queue.count) queue.count.fill(0);  // overflow adds up over the generations that share a queue
@@ -237,6 +247,7 @@ void Renderer::Impl::finish(const Target& target) {
   held.geometry = scene.geometryBytes();
   held.textures = scene.textureBytes();
   held.shadowMaps = shadows.bytes();
+  held.geometry += motionPass.bytes();
   held.peak = held.geometry + held.textures + held.shadowMaps;
   for (const Frame& each : frames) {
     held.queues += each.bytes() - each.gbuffer.bytes();
@@ -250,12 +261,14 @@ void Renderer::Impl::finish(const Target& target) {
 
 void Renderer::Impl::noteChange(const SceneChange& changed) {
   change.add(changed);
+  moved.insert(moved.end(), changed.moved.begin(), changed.moved.end());
   shadowSettings.reset();
   shown.reset();  // its layers would show the changed scene
 }
 
 void Renderer::Impl::upload(const Scene& wanted, const SceneChange& changed) {
   try {
+    motionPass.advance(scene);
     shadowChange.add(updateScene(api, scene, wanted, changed));
   } catch (...) {
     noteChange(changed);  // some of it may have been written
@@ -298,6 +311,8 @@ void Renderer::setScene(const Scene& scene) {
   r.lights = scene.lights;
   r.sky = scene.sky;
   r.change = SceneChange::everything();
+  r.moved.clear();
+  r.motionPass.forget();
   r.hasScene = true;
 }
 

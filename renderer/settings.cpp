@@ -74,6 +74,7 @@ void visitAll(S& s, Visitor&& visit) {
   visit("shadow.sky_directions", s.shadow.skyDirections, 0, 32, "shadowed directions that stand for the sky");
   visit("image.exposure", s.image.exposure, -20, 20, "stops");
   visit("image.tone_map", s.image.toneMap, 0, 0, "from linear radiance to the display");
+  visit("image.motion", s.image.motion, 0, 1, "makes motion vectors, for the layers");
 }
 
 // The shortest text that reads back as the same value: 0.4 for the float 0.4.

@@ -111,7 +111,9 @@ void renderSequence(const SequenceRequest& request, Progress& progress, WallCloc
   static_cast<void>(
       chooseCamera(loaded.scene, request.arguments.camera));  // an unknown one is found out before the rest
   clock.lap("load");
-  RenderJob job(request.view, request.arguments, request.settings, std::move(loaded), progress, clock);
+  Settings settings = request.settings;
+  settings.image.motion = settings.image.motion || !request.outputs.layers.empty();
+  RenderJob job(request.view, request.arguments, settings, std::move(loaded), progress, clock);
 
   std::vector<std::string> warnings = job.statistics.warnings;
   Pace pace(frames.size());

@@ -95,6 +95,23 @@ void addHits(Image& image, const FrameView& view, const RayBatch& batch, RayRead
   }
 }
 
+// Two more channels: rows from the top, so down is positive.
+Image withMotion(const Image& image, const gl::Texture& motion) {
+  std::vector<glm::vec2> texels(image.pixelCount());
+  motion.read(GL_RG, GL_FLOAT, texels.size() * sizeof(glm::vec2), texels.data());
+  Image result{image.width, image.height, image.channels, {}};
+  result.channels.insert(result.channels.end(), {"motion.X", "motion.Y"});
+  result.data.reserve(image.pixelCount() * (layerCount + 2));
+  const auto width = static_cast<std::size_t>(image.width), height = static_cast<std::size_t>(image.height);
+  for (std::size_t pixel = 0; pixel < image.pixelCount(); ++pixel) {
+    const auto values = image.data.begin() + static_cast<std::ptrdiff_t>(pixel * layerCount);
+    result.data.insert(result.data.end(), values, values + layerCount);
+    const glm::vec2 moved = texels[(height - 1 - pixel / width) * width + pixel % width];
+    result.data.insert(result.data.end(), {moved.x, 0.0f - moved.y});
+  }
+  return result;
+}
+
 }  // namespace
 
 Image assembleLayers(const FrameView& view, const gl::Texture& linear, std::span<const RayBatch> batches,
@@ -124,7 +141,7 @@ Image assembleLayers(const FrameView& view, const gl::Texture& linear, std::span
     }
   std::optional<VertexNormals> vertexNormals;
   for (const RayBatch& batch : batches) addHits(image, view, batch, reader, vertexNormals);
-  return image;
+  return gbuffer.motion ? withMotion(image, gbuffer.motion) : image;
 }
 
 }  // namespace halfsilver

@@ -36,7 +36,7 @@ void ShadowMaps::bind() const {
 std::size_t GBuffer::bytes() const {
   std::size_t sum = 0;
   for (const gl::Texture* texture :
-       {&depth, &visibility, &position, &normal, &baseColor, &material, &emissive, &shaded, &reflection})
+       {&depth, &visibility, &position, &normal, &baseColor, &material, &emissive, &shaded, &reflection, &motion})
     sum += texture->bytes();
   return sum;
 }

@@ -78,6 +78,7 @@ struct GBuffer {
   gl::Texture emissive;    // RGBA16F: rgb, a metallic
   gl::Texture shaded;      // RGBA32F: deferred radiance, a sky visibility
   gl::Texture reflection;  // RGBA32F: radiance of the traced rays, a 1 if traced
+  gl::Texture motion;      // RG32F: pixels since the frame before, right and up; only if image.motion asks for it
   std::size_t bytes() const;
 };
 

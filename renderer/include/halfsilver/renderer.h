@@ -123,8 +123,9 @@ class Renderer {
   std::vector<std::string> reloadShaders();
 
   // The frame that finish() ended last as the layers of the contract (R G B A, depth.Z, normal.X/Y/Z, reflectivity.Y,
-  // selected.Y, hit.T, hit.id, hit.nx/ny/nz, reflection.R/G/B), rows from the top. Waits for the GPU. With frames under
-  // way, only until a begin() takes the memory of that frame.
+  // selected.Y, hit.T, hit.id, hit.nx/ny/nz, reflection.R/G/B; with image.motion also motion.X/Y, pixels to the right and
+  // down since the frame before), rows from the top. Waits for the GPU. With frames under way, only until a begin() takes
+  // the memory of that frame.
   Image readLayers() const;
 
   // The work of each ray of that frame, in the order in which they were traced. Empty unless trace.count_work was set

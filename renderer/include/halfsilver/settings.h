@@ -89,6 +89,7 @@ struct ShadowSettings {
 struct ImageSettings {
   float exposure = 0;  // stops, -20..20
   ToneMap toneMap = ToneMap::filmic;
+  bool motion = false;  // motion vectors are made, for the layers
 
   bool operator==(const ImageSettings&) const = default;
 };
