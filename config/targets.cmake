@@ -12,7 +12,7 @@ function(halfsilver_own_code target)
 endfunction()
 
 # A static library halfsilver_<name>, alias halfsilver::<name>, of all sources in the named rooms of renderer/ and
-# their folders, without the files in EXCLUDE (paths below renderer/). A room without sources makes no target.
+# their folders, without the files and folders in EXCLUDE (paths below renderer/). A room without sources makes no target.
 function(halfsilver_library name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "ROOMS;EXCLUDE")
   set(sources)
@@ -24,8 +24,9 @@ function(halfsilver_library name)
     endif()
     list(APPEND sources ${found})
   endforeach()
-  list(TRANSFORM arg_EXCLUDE PREPEND ${PROJECT_SOURCE_DIR}/renderer/)
-  list(REMOVE_ITEM sources ${arg_EXCLUDE})
+  foreach(path IN LISTS arg_EXCLUDE)
+    list(FILTER sources EXCLUDE REGEX "/renderer/${path}(/|$)")
+  endforeach()
   if(NOT sources)
     return()
   endif()

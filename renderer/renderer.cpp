@@ -397,6 +397,27 @@ Image Renderer::readLayers() const {
   return assembleLayers(r.viewOf(frame, untimed), linear, frame.batches, *r.rayReader);
 }
 
+std::optional<Picked> Renderer::pick(int x, int y) const {
+  const Impl& r = *impl_;
+  if (!r.shown)
+    throw Error(ErrorKind::usage, "pick() needs a finished frame of the present scene: call render() first");
+  const GBuffer& gbuffer = r.frames[*r.shown].gbuffer;
+  if (x < 0 || y < 0 || x >= gbuffer.width || y >= gbuffer.height) return std::nullopt;
+  const gl::StateGuard guard(r.api);
+  const gl::Framebuffer framebuffer(r.api);
+  r.api.BindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer.name());
+  // The G-buffer's images are read by the host.
+  r.api.MemoryBarrier(GL_FRAMEBUFFER_BARRIER_BIT);
+  GLuint visible = 0;
+  framebuffer.attach(GL_COLOR_ATTACHMENT0, gbuffer.visibility);
+  r.api.ReadPixels(x, y, 1, 1, GL_RED_INTEGER, GL_UNSIGNED_INT, &visible);
+  if (visible == 0) return std::nullopt;
+  glm::vec4 position(0);
+  framebuffer.attach(GL_COLOR_ATTACHMENT0, gbuffer.position);
+  r.api.ReadPixels(x, y, 1, 1, GL_RGBA, GL_FLOAT, &position);
+  return Picked{visible - 1, glm::vec3(position)};
+}
+
 std::vector<RayWork> Renderer::readRayWork() {
   Impl& r = *impl_;
   if (!r.shown || !r.reported)

@@ -10,6 +10,7 @@ void addTuneCommand(CLI::App& program);
 void addInfoCommand(CLI::App& program);
 void addCompareCommand(CLI::App& program);
 void addPresetsCommand(CLI::App& program);
+void addDemoCommand(CLI::App& program);
 
 // Parses and runs the one command that the arguments name; returns the exit code. An error is one line on stderr.
 int runCommand(CLI::App& program, int argc, const char* const* argv);

@@ -17,6 +17,7 @@ class OffscreenTarget {
   OffscreenTarget(const gl::Api& api, const Size& size);
 
   Target target() const;
+  unsigned texture() const { return color_.name(); }
   // 8-bit RGBA, rows from the top. Waits for the GPU.
   std::vector<std::uint8_t> read() const;
 

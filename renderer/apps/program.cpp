@@ -54,6 +54,7 @@ int runProgram(int argc, const char* const* argv) {
   addInfoCommand(program);
   addCompareCommand(program);
   addPresetsCommand(program);
+  addDemoCommand(program);
   return runCommand(program, argc, argv);
 }
 

@@ -65,6 +65,12 @@ struct RayWork {
   std::uint32_t tests = 0;  // of triangles; of texels by methods that store attributes
 };
 
+// A surface of a picture.
+struct Picked {
+  std::uint32_t triangle = 0;  // its number in the scene
+  glm::vec3 position{0};       // relative to Scene::origin
+};
+
 struct DeviceInfo {
   std::string vendor, renderer, version;
   bool software = false;
@@ -123,10 +129,14 @@ class Renderer {
   std::vector<std::string> reloadShaders();
 
   // The frame that finish() ended last as the layers of the contract (R G B A, depth.Z, normal.X/Y/Z, reflectivity.Y,
-  // selected.Y, hit.T, hit.id, hit.nx/ny/nz, reflection.R/G/B; with image.motion also motion.X/Y, pixels to the right and
-  // down since the frame before), rows from the top. Waits for the GPU. With frames under way, only until a begin() takes
-  // the memory of that frame.
+  // selected.Y, hit.T, hit.id, hit.nx/ny/nz, reflection.R/G/B; with image.motion also motion.X/Y, pixels to the right
+  // and down since the frame before), rows from the top. Waits for the GPU. With frames under way, only until a begin()
+  // takes the memory of that frame.
   Image readLayers() const;
+
+  // What that frame shows at a pixel, whose row 0 is the bottom; nothing if that is the sky or outside. Waits for the
+  // GPU.
+  std::optional<Picked> pick(int x, int y) const;
 
   // The work of each ray of that frame, in the order in which they were traced. Empty unless trace.count_work was set
   // and the method counts. Only of a frame of one bounce whose rays fit one batch (a storage block holds what belongs

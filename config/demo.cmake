@@ -1,0 +1,14 @@
+# halfsilver_demo: the module of `halfsilver demo`, the only user of GLFW and Dear ImGui.
+find_package(glfw3 3.3 REQUIRED)
+find_path(HALFSILVER_IMGUI_INCLUDE imgui.h PATH_SUFFIXES imgui REQUIRED DOC "Dear ImGui (Debian: libimgui-dev)")
+find_library(HALFSILVER_IMGUI imgui REQUIRED)
+mark_as_advanced(HALFSILVER_IMGUI_INCLUDE HALFSILVER_IMGUI)
+
+file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/renderer/apps/demo/*.cpp)
+add_library(halfsilver_demo MODULE ${sources})
+halfsilver_own_code(halfsilver_demo)
+target_include_directories(halfsilver_demo SYSTEM PRIVATE ${HALFSILVER_IMGUI_INCLUDE})
+target_link_libraries(halfsilver_demo PRIVATE halfsilver_apps glfw ${HALFSILVER_IMGUI} ${CMAKE_DL_LIBS})
+target_compile_definitions(halfsilver_demo PRIVATE GLFW_INCLUDE_NONE)
+add_dependencies(halfsilver halfsilver_demo)
+install(TARGETS halfsilver_demo LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT programs)

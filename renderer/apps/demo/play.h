@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <halfsilver/model.h>
+#include <halfsilver/scene_change.h>
+#include "apps/demo/controls.h"
+
+namespace halfsilver::demo {
+
+// What is played in the window: a scene, how it moves and where the camera is.
+class Play {
+ public:
+  virtual ~Play() = default;
+
+  virtual Model& model() = 0;
+  // Time passes, in seconds; 0 while it is frozen.
+  virtual void step(const Controls& controls, double seconds) = 0;
+  // Poses the model for the next frame and says what changed.
+  virtual SceneChange update() = 0;
+  virtual Camera camera() const = 0;
+  // What the player should know, a line each.
+  virtual std::vector<std::string> status() const { return {}; }
+  // The point that the player double-clicked, and the bounds that F shows; nothing if that has no meaning.
+  virtual void setPivot(const glm::vec3&) {}
+  virtual void frame(const Bounds&) {}
+};
+
+}  // namespace halfsilver::demo

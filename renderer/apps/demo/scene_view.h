@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include <halfsilver/renderer.h>
+#include "apps/offscreen.h"
+
+namespace halfsilver::demo {
+
+// A renderer with a picture of its own, which the window or a file shows.
+class SceneView {
+ public:
+  // The scene must outlive it.
+  SceneView(const gl::Api& api, const std::function<Renderer::Proc(const char*)>& getProcAddress, const Scene& scene,
+            int threads);
+
+  void update(const Scene& scene, const SceneChange& change) { renderer_.update(scene, change); }
+  // Draws a picture of that size, which replaces the last one.
+  void draw(const Camera& camera, const Settings& settings, const Size& size);
+
+  Renderer& renderer() { return renderer_; }
+  const Renderer& renderer() const { return renderer_; }
+  Size size() const { return size_; }
+  unsigned texture() const;                // RGBA8, row 0 is the bottom
+  std::vector<std::uint8_t> read() const;  // rows from the top; waits for the GPU
+
+ private:
+  const gl::Api* api_;
+  Renderer renderer_;
+  Size size_;
+  std::optional<OffscreenTarget> picture_;
+};
+
+}  // namespace halfsilver::demo

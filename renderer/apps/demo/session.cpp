@@ -1,0 +1,85 @@
+#include "apps/demo/session.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+#include "apps/demo/false_colors.h"
+
+namespace halfsilver::demo {
+
+Session::Session(const gl::Api& api, Proc getProcAddress, int threads)
+    : api_(&api), getProcAddress_(std::move(getProcAddress)), threads_(threads) {}
+
+void Session::play(std::unique_ptr<Play> next) {
+  auto view = std::make_unique<SceneView>(*api_, getProcAddress_, next->model().scene, threads_);
+  second_.reset();
+  view_ = std::move(view);  // before the scene that the old one refers to goes
+  play_ = std::move(next);
+}
+
+SceneView& Session::second() {
+  if (!second_) second_ = std::make_unique<SceneView>(*api_, getProcAddress_, play_->model().scene, threads_);
+  return *second_;
+}
+
+void Session::advance(const Controls& controls, double seconds) {
+  play_->step(controls, seconds);
+  update(play_->update());
+}
+
+void Session::update(const SceneChange& change) {
+  if (!change.any()) return;
+  view_->update(play_->model().scene, change);
+  if (second_) second_->update(play_->model().scene, change);
+}
+
+Settings Session::settingsOf(const Settings& chosen, const Options& options) const {
+  Settings settings = chosen;
+  if (options.reference) settings.trace.method = "exact";
+  settings.image.motion = options.view == View::motion;
+  settings.trace.countWork = options.view == View::cost;
+  if (options.view == View::cost) settings.trace.bounces = 1;
+  return settings;
+}
+
+FrameFigures Session::draw(const Size& window, double scale, const Options& options, bool wait) {
+  const auto start = std::chrono::steady_clock::now();
+  const auto scaled = [scale](int pixels) { return std::max(1, static_cast<int>(std::lround(scale * pixels))); };
+  const Size size{scaled(window.width), scaled(window.height)};
+  const Camera camera = play_->camera();
+  view_->draw(camera, settingsOf(options.settings, options), size);
+  backdrops_ = {{view_->texture(), 0, options.split ? options.splitAt : 1, false}};
+  if (options.split) {
+    second().draw(camera, settingsOf(options.other, options), size);
+    backdrops_.push_back({second().texture(), options.splitAt, 1, false});
+  }
+  if (options.view != View::picture) showFalseColors(size, camera, options);
+  if (wait)
+    report_ = view_->renderer().report();
+  else if (auto arrived = view_->renderer().arrivedReport())
+    report_ = std::move(*arrived);
+  const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
+  return {frame_++, took.count(), scale, options.settings.select.fraction, size.width, size.height, report_};
+}
+
+void Session::showFalseColors(const Size& size, const Camera& camera, const Options& options) {
+  Image exact;
+  if (options.view == View::error) {
+    Settings settings = options.settings;
+    settings.trace.method = "exact";
+    second().draw(camera, settings, size);
+    exact = second().renderer().readLayers();
+  }
+  const Image layers = view_->renderer().readLayers();
+  const std::vector<std::uint8_t> pixels =
+      falseColors(options.view, layers, exact.width > 0 ? &exact : nullptr, play_->model().scene.bounds().diagonal());
+  if (!falseColors_ || falseColors_.shape().width != size.width || falseColors_.shape().height != size.height)
+    falseColors_ = gl::Texture(*api_, {.format = GL_RGBA8, .width = size.width, .height = size.height}, "false colors");
+  api_->TextureSubImage2D(falseColors_.name(), 0, 0, 0, size.width, size.height, GL_RGBA, GL_UNSIGNED_BYTE,
+                          pixels.data());
+  backdrops_ = {{falseColors_.name(), 0, 1, true}};
+}
+
+}  // namespace halfsilver::demo

@@ -1,0 +1,52 @@
+#include "apps/demo/start.h"
+
+#include <exception>
+#include <new>
+
+#include <halfsilver/error.h>
+#include "apps/demo/viewer.h"
+
+namespace halfsilver::demo {
+
+std::unique_ptr<Play> makeViewer(const Request& request, const std::string& scene) {
+  ViewRequest view = request.view;
+  view.scene = scene;
+  const ViewArguments arguments = checkView(view);
+  Model model = loadPosedModel(view, arguments);
+  const Camera camera = chooseCamera(model.scene, arguments.camera);
+  return std::make_unique<Viewer>(std::move(model), camera);
+}
+
+std::unique_ptr<Play> makePlay(const Request& request) {
+  return makeViewer(request, request.view.scene.empty() ? "builtin:atrium" : request.view.scene);
+}
+
+Options firstOptions(const Request& request) {
+  Options options;
+  options.settings.trace.method = "auto";
+  if (!request.view.preset.empty() || !request.view.config.empty()) options.settings = baseSettings(request.view);
+  applyOverrides(options.settings, request.view);
+  options.other = options.settings;
+  options.other.trace.method = options.settings.trace.method == "identity" ? "none" : "identity";
+  options.frameTime = request.frameTime.value_or(0);
+  return options;
+}
+
+}  // namespace halfsilver::demo
+
+extern "C" halfsilver::demo::Outcome halfsilver_demo_run(const halfsilver::demo::Request& request) {
+  using namespace halfsilver;
+  try {
+    if (request.frames && !request.window)
+      demo::runHeadless(request);
+    else
+      demo::runWindow(request);
+    return {};
+  } catch (const Error& error) {
+    return {static_cast<int>(error.kind()), error.what()};
+  } catch (const std::bad_alloc&) {
+    return {static_cast<int>(ErrorKind::failed), "out of memory"};
+  } catch (const std::exception& error) {
+    return {static_cast<int>(ErrorKind::failed), error.what()};
+  }
+}

@@ -1,0 +1,52 @@
+#include "apps/demo/viewer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace halfsilver::demo {
+
+Viewer::Viewer(Model model, const Camera& start)
+    : model_(std::move(model)), camera_(start, model_.scene.bounds()), playing_(compatibleAnimations(model_.rig)) {}
+
+void Viewer::step(const Controls& controls, double elapsed) {
+  camera_.follow(controls, elapsed, windowHeight_);
+  if (!paused) seconds += elapsed;
+}
+
+SceneChange Viewer::update() {
+  if (playing_.empty() || posed_ == seconds) return {};
+  posed_ = seconds;
+  return pose(model_, playTogether(playing_, seconds));
+}
+
+std::vector<std::string> Viewer::status() const { return {model_.scene.name}; }
+
+void Viewer::choose(int animation) {
+  chosen_ = animation;
+  playing_ = animation < 0 ? compatibleAnimations(model_.rig) : std::vector<int>{animation};
+  posed_ = -1;
+}
+
+double Viewer::duration() const {
+  double longest = 0;
+  for (const int animation : playing_)
+    longest =
+        std::max(longest, static_cast<double>(model_.rig.animations[static_cast<std::size_t>(animation)].duration));
+  return longest;
+}
+
+std::vector<std::filesystem::path> neighbors(const std::string& scene) {
+  std::vector<std::filesystem::path> files;
+  std::error_code error;
+  const std::filesystem::path folder = std::filesystem::absolute(scene, error).parent_path();
+  if (error || !std::filesystem::is_regular_file(scene, error)) return files;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+    const std::filesystem::path extension = entry.path().extension();
+    if (extension == ".glb" || extension == ".gltf") files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+}  // namespace halfsilver::demo

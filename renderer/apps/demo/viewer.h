@@ -1,0 +1,46 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <halfsilver/pose.h>
+#include "apps/demo/play.h"
+#include "apps/demo/viewer_camera.h"
+
+namespace halfsilver::demo {
+
+// Any scene, with its animations.
+class Viewer final : public Play {
+ public:
+  Viewer(Model model, const Camera& start);
+
+  Model& model() override { return model_; }
+  void step(const Controls& controls, double seconds) override;
+  SceneChange update() override;
+  Camera camera() const override { return camera_.camera(); }
+  std::vector<std::string> status() const override;
+  void setPivot(const glm::vec3& pivot) override { camera_.setPivot(pivot); }
+  void frame(const Bounds& bounds) override { camera_.frame(bounds); }
+
+  void setWindowHeight(int pixels) { windowHeight_ = pixels; }
+  // -1: all that can be played together.
+  void choose(int animation);
+  int chosen() const { return chosen_; }
+  double duration() const;  // seconds, of the longest that plays; 0: nothing does
+
+  double seconds = 0;  // of the animations
+  bool paused = false;
+
+ private:
+  Model model_;
+  ViewerCamera camera_;
+  int windowHeight_ = 1, chosen_ = -1;
+  std::vector<int> playing_;
+  double posed_ = -1;  // the time of the last pose
+};
+
+// The scenes (.gltf, .glb) in the folder of a file, sorted; empty for what is no file.
+std::vector<std::filesystem::path> neighbors(const std::string& scene);
+
+}  // namespace halfsilver::demo
