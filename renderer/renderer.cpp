@@ -76,6 +76,8 @@ struct Renderer::Impl {
     return {scene, shadows, frame.constants, frame.host, profiler, frame.gbuffer};
   }
   std::size_t takeRecord();
+  bool keepsWork() const;
+  std::vector<shared::RayWork> readWork();
   void useTracer(const Settings& wanted);
   void drawShadows(const Settings& wanted, gl::Profiler& profiler);
   std::uint32_t maxRays(const Settings& wanted) const;
@@ -100,6 +102,19 @@ std::size_t Renderer::Impl::takeRecord() {
   const std::size_t record = *oldest;
   unreported.erase(oldest);
   return record;
+}
+
+// The tracer keeps the work of the queue that it traced last: that of the shown frame, if it was the only one.
+bool Renderer::Impl::keepsWork() const {
+  const Frame& frame = frames[*shown];
+  return tracer && tracer->rayWork() && underWay.empty() && frame.settings.trace.countWork &&
+         frame.batches.size() == 1 && effect->generations(frame.settings) == 1;
+}
+
+std::vector<shared::RayWork> Renderer::Impl::readWork() {
+  const gl::Buffer& work = *tracer->rayWork();
+  const std::uint64_t rays = records[*reported].report().selected;
+  return work.read<shared::RayWork>(std::min<std::size_t>(rays, work.bytes() / sizeof(shared::RayWork)));
 }
 
 void Renderer::Impl::useTracer(const Settings& wanted) {
@@ -394,7 +409,8 @@ Image Renderer::readLayers() const {
   // Images and buffers (all stages) are read by the host.
   r.api.MemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
   if (!r.rayReader) r.rayReader.emplace(r.api);
-  return assembleLayers(r.viewOf(frame, untimed), linear, frame.batches, *r.rayReader);
+  const std::vector<shared::RayWork> work = r.reported && r.keepsWork() ? r.readWork() : std::vector<shared::RayWork>();
+  return assembleLayers(r.viewOf(frame, untimed), linear, frame.batches, work, *r.rayReader);
 }
 
 std::optional<Picked> Renderer::pick(int x, int y) const {
@@ -423,16 +439,14 @@ std::vector<RayWork> Renderer::readRayWork() {
   if (!r.shown || !r.reported)
     throw Error(ErrorKind::usage, "readRayWork() needs a finished frame of the present scene: call render() first");
   const gl::StateGuard guard(r.api);
-  const gl::Buffer* work = r.tracer ? r.tracer->rayWork() : nullptr;
-  if (!work) return {};
-  // The tracer keeps the work of the queue that it traced last.
-  if (!r.underWay.empty()) throw Error(ErrorKind::usage, "readRayWork(): a frame is under way, finish() it first");
-  const Frame& frame = r.frames[*r.shown];
-  if (frame.batches.size() > 1 || r.effect->generations(frame.settings) > 1)
-    throw Error(ErrorKind::usage, "readRayWork() needs a frame of one bounce whose rays come in one batch");
-  static_assert(sizeof(RayWork) == sizeof(shared::RayWork));
-  const std::uint64_t rays = r.records[*r.reported].report().selected;
-  return work->read<RayWork>(std::min<std::size_t>(rays, work->bytes() / sizeof(RayWork)));
+  if (!r.tracer || !r.tracer->rayWork()) return {};
+  if (!r.keepsWork())
+    throw Error(ErrorKind::usage, r.underWay.empty()
+                                      ? "readRayWork() needs a frame of one bounce whose rays come in one batch"
+                                      : "readRayWork(): a frame is under way, finish() it first");
+  std::vector<RayWork> result;
+  for (const shared::RayWork& work : r.readWork()) result.push_back({work.steps, work.tests});
+  return result;
 }
 
 }  // namespace halfsilver

@@ -95,27 +95,46 @@ void addHits(Image& image, const FrameView& view, const RayBatch& batch, RayRead
   }
 }
 
-// Two more channels: rows from the top, so down is positive.
-Image withMotion(const Image& image, const gl::Texture& motion) {
-  std::vector<glm::vec2> texels(image.pixelCount());
-  motion.read(GL_RG, GL_FLOAT, texels.size() * sizeof(glm::vec2), texels.data());
+// With two more channels, two values per pixel.
+Image withChannels(const Image& image, const char* first, const char* second, std::span<const glm::vec2> values) {
+  const std::size_t before = image.channels.size();
   Image result{image.width, image.height, image.channels, {}};
-  result.channels.insert(result.channels.end(), {"motion.X", "motion.Y"});
-  result.data.reserve(image.pixelCount() * (layerCount + 2));
-  const auto width = static_cast<std::size_t>(image.width), height = static_cast<std::size_t>(image.height);
+  result.channels.insert(result.channels.end(), {first, second});
+  result.data.reserve(image.pixelCount() * (before + 2));
   for (std::size_t pixel = 0; pixel < image.pixelCount(); ++pixel) {
-    const auto values = image.data.begin() + static_cast<std::ptrdiff_t>(pixel * layerCount);
-    result.data.insert(result.data.end(), values, values + layerCount);
-    const glm::vec2 moved = texels[(height - 1 - pixel / width) * width + pixel % width];
-    result.data.insert(result.data.end(), {moved.x, 0.0f - moved.y});
+    const auto present = image.data.begin() + static_cast<std::ptrdiff_t>(pixel * before);
+    result.data.insert(result.data.end(), present, present + static_cast<std::ptrdiff_t>(before));
+    result.data.insert(result.data.end(), {values[pixel].x, values[pixel].y});
   }
   return result;
+}
+
+// The index of a G-buffer's pixel in an image, whose rows begin at the top.
+std::size_t fromTop(const Image& image, std::size_t pixel) {
+  const auto width = static_cast<std::size_t>(image.width), height = static_cast<std::size_t>(image.height);
+  return (height - 1 - pixel / width) * width + pixel % width;
+}
+
+// Down is positive.
+Image withMotion(const Image& image, const gl::Texture& motion) {
+  std::vector<glm::vec2> texels(image.pixelCount()), values(image.pixelCount());
+  motion.read(GL_RG, GL_FLOAT, texels.size() * sizeof(glm::vec2), texels.data());
+  for (std::size_t pixel = 0; pixel < texels.size(); ++pixel)
+    values[fromTop(image, pixel)] = {texels[pixel].x, 0.0f - texels[pixel].y};
+  return withChannels(image, "motion.X", "motion.Y", values);
+}
+
+Image withWork(const Image& image, const RayBatch& batch, std::span<const shared::RayWork> work) {
+  std::vector<glm::vec2> values(image.pixelCount(), glm::vec2(0));
+  const std::vector<std::uint32_t> pixels = pixelsOf(batch.rays, static_cast<std::uint32_t>(work.size()));
+  for (std::size_t i = 0; i < work.size(); ++i) values[fromTop(image, pixels[i])] = {work[i].steps, work[i].tests};
+  return withChannels(image, "work.steps", "work.tests", values);
 }
 
 }  // namespace
 
 Image assembleLayers(const FrameView& view, const gl::Texture& linear, std::span<const RayBatch> batches,
-                     RayReader& reader) {
+                     std::span<const shared::RayWork> work, RayReader& reader) {
   const GBuffer& gbuffer = view.gbuffer;
   Image image{gbuffer.width,
               gbuffer.height,
@@ -141,7 +160,9 @@ Image assembleLayers(const FrameView& view, const gl::Texture& linear, std::span
     }
   std::optional<VertexNormals> vertexNormals;
   for (const RayBatch& batch : batches) addHits(image, view, batch, reader, vertexNormals);
-  return gbuffer.motion ? withMotion(image, gbuffer.motion) : image;
+  if (gbuffer.motion) image = withMotion(image, gbuffer.motion);
+  if (!work.empty()) image = withWork(image, batches.front(), work);
+  return image;
 }
 
 }  // namespace halfsilver

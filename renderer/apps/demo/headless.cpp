@@ -14,6 +14,7 @@ namespace halfsilver::demo {
 namespace {
 
 constexpr double kStep = 1.0 / 30;  // seconds per frame
+constexpr int kLayouts = 3;         // until panels know their sizes
 
 }  // namespace
 
@@ -43,8 +44,8 @@ void runHeadless(const Request& request) {
     outputs.add(figures);
     if (!overlay || frame + 1 < *request.frames) continue;
     OverlayState state{options, log, session.playing().model(), dynamic_cast<Viewer*>(&session.playing()), {},
-                       {},      {},  session.playing().status()};
-    overlay->layOut(size, kStep, session.backdrops(), state);
+                       {},      {},  session.status(options)};
+    for (int i = 0; i < kLayouts; ++i) overlay->layOut(size, kStep, session.backdrops(), state);
     api.BindFramebuffer(GL_DRAW_FRAMEBUFFER, shown->target().framebuffer);
     overlay->draw();
   }

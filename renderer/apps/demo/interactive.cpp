@@ -103,7 +103,7 @@ class Interactive {
     log_.add(session_.draw(window_.size(), 1, options_, false));
     followClicks(controls);
     OverlayState state{options_, log_, session_.playing().model(), viewer(), clicked_,
-                       message_, {},   session_.playing().status()};
+                       message_, {},   session_.status(options_)};
     const SceneChange change = overlay_.layOut(window_.size(), seconds, session_.backdrops(), state);
     clear();
     overlay_.draw();

@@ -64,6 +64,13 @@ FrameFigures Session::draw(const Size& window, double scale, const Options& opti
   return {frame_++, took.count(), scale, options.settings.select.fraction, size.width, size.height, report_};
 }
 
+std::vector<std::string> Session::status(const Options& options) const {
+  std::vector<std::string> lines = play_->status();
+  if (options.reference) lines.emplace_back("exact rays");
+  if (options.view != View::picture) lines.emplace_back(legend(options.view));
+  return lines;
+}
+
 void Session::showFalseColors(const Size& size, const Camera& camera, const Options& options) {
   Image exact;
   if (options.view == View::error) {

@@ -33,6 +33,8 @@ class Session {
   // Draws a window's picture at a share of its size. Returns what it took; `report` is the latest one that has arrived,
   // unless `wait`.
   FrameFigures draw(const Size& window, double scale, const Options& options, bool wait);
+  // What the player should know, a line each.
+  std::vector<std::string> status(const Options& options) const;
   // What to show, in the order of drawing. Valid until the next draw().
   std::span<const Backdrop> backdrops() const { return backdrops_; }
 

@@ -130,8 +130,8 @@ class Renderer {
 
   // The frame that finish() ended last as the layers of the contract (R G B A, depth.Z, normal.X/Y/Z, reflectivity.Y,
   // selected.Y, hit.T, hit.id, hit.nx/ny/nz, reflection.R/G/B; with image.motion also motion.X/Y, pixels to the right
-  // and down since the frame before), rows from the top. Waits for the GPU. With frames under way, only until a begin()
-  // takes the memory of that frame.
+  // and down since the frame before; if readRayWork() is possible also work.steps and work.tests), rows from the top.
+  // Waits for the GPU. With frames under way, only until a begin() takes the memory of that frame.
   Image readLayers() const;
 
   // What that frame shows at a pixel, whose row 0 is the bottom; nothing if that is the sky or outside. Waits for the

@@ -1,0 +1,95 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <set>
+#include <sstream>
+
+#include "program.h"
+
+#if HALFSILVER_DEMO
+
+namespace halfsilver {
+namespace {
+
+const std::string kQuick = "demo builtin:sphere --size 96x54 --set shadow.resolution=64 --set shadow.sky_directions=0 ";
+
+std::size_t colorsOf(const Image& picture) {
+  std::set<std::vector<float>> colors;
+  const auto stride = static_cast<std::ptrdiff_t>(picture.channels.size());
+  for (auto pixel = picture.data.begin(); pixel != picture.data.end(); pixel += stride)
+    colors.insert(std::vector<float>(pixel, pixel + 3));
+  return colors.size();
+}
+
+TEST(Demo, FramesNeedNoDisplayAndAreTheSameEachTime) {
+  const TemporaryFolder folder;
+  for (const std::string name : {"a", "b"}) {
+    const ProgramResult result = runProgramIn(
+        folder, kQuick + "--frames 4 --screenshot " + name + ".png --stats " + name + ".jsonl", "DISPLAY= ");
+    ASSERT_EQ(result.exitCode, 0) << result.err;
+  }
+  EXPECT_TRUE(readText(folder / "a.png") == readText(folder / "b.png"));
+  EXPECT_GT(colorsOf(readImage(folder / "a.png").image), 100u);
+  std::istringstream lines(readText(folder / "a.jsonl"));
+  std::string line;
+  int frames = 0;
+  while (std::getline(lines, line)) {
+    const nlohmann::json figures = nlohmann::json::parse(line);
+    EXPECT_EQ(figures["frame"], frames++);
+    EXPECT_GT(figures["coverage"], 0.05);
+    EXPECT_EQ(figures["overflow"], 0);
+    EXPECT_GT(figures["rays"], 100);
+    EXPECT_GT(figures["total_bytes"], figures["structure_bytes"]);
+    EXPECT_EQ(figures["scale"], 1);
+    EXPECT_GT(figures["time_ms"]["frame"], 0);
+  }
+  EXPECT_EQ(frames, 4);
+}
+
+TEST(Demo, TheOverlayGrowsWithTheDisplaysScale) {
+  const TemporaryFolder folder;
+  const std::string large = "demo builtin:sphere --size 960x540 --set shadow.resolution=64 --frames 1 --screenshot ";
+  ASSERT_EQ(runProgramIn(folder, large + "none.png").exitCode, 0);
+  ASSERT_EQ(runProgramIn(folder, large + "one.png --overlay --content-scale 0.75").exitCode, 0);
+  ASSERT_EQ(runProgramIn(folder, large + "two.png --overlay --content-scale 1.5").exitCode, 0);
+  const Image none = readImage(folder / "none.png").image;
+  const auto covered = [&](const char* name) {
+    const Image picture = readImage(folder / name).image;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < picture.data.size(); i += 4) count += picture.data[i] != none.data[i];
+    return count;
+  };
+  EXPECT_GT(covered("one.png"), none.pixelCount() / 20);
+  EXPECT_GT(covered("two.png"), 2 * covered("one.png"));
+}
+
+TEST(Demo, WithoutADisplayAWindowIsRefusedInOneLine) {
+  const TemporaryFolder folder;
+  const ProgramResult result = runProgramIn(folder, "demo builtin:sphere", "DISPLAY= WAYLAND_DISPLAY= ");
+  EXPECT_EQ(result.exitCode, 4);
+  EXPECT_NE(result.err.find("no window"), std::string::npos) << result.err;
+  EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+}
+
+TEST(Demo, WhatIsNoSceneIsRefusedBeforeAnythingIsWritten) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(runProgramIn(folder, "demo no.glb --frames 1 --screenshot a.png").exitCode, 3);
+  EXPECT_EQ(runProgramIn(folder, "demo builtin:sphere --frames 0").exitCode, 2);
+  EXPECT_EQ(runProgramIn(folder, "demo builtin:sphere --frames 1 --size x --screenshot a.png").exitCode, 2);
+  EXPECT_TRUE(filesIn(folder).empty());
+}
+
+TEST(Demo, AWindowOpensAndCloses) {
+  if (std::system("command -v xvfb-run >/dev/null 2>&1") != 0) GTEST_SKIP() << "there is no xvfb-run";
+  const TemporaryFolder folder;
+  const ProgramResult result = runProgramIn(folder, kQuick + "--window --frames 3 --screenshot a.png --stats a.jsonl",
+                                            "XDG_CONFIG_HOME=. xvfb-run -a -s '-screen 0 640x480x24' ");
+  ASSERT_EQ(result.exitCode, 0) << result.err;
+  EXPECT_GT(colorsOf(readImage(folder / "a.png").image), 100u);
+}
+
+}  // namespace
+}  // namespace halfsilver
+
+#endif
