@@ -3,10 +3,10 @@
 // An arcaded two-story hall in the afternoon sun: fluted columns, vaulted aisles, galleries with thin railings,
 // banners and curtains, plants cut out of their texture, lanterns, and a polished marble floor.
 namespace halfsilver {
-namespace {
 
-using atrium::Materials;
 using glm::vec3;
+
+namespace {
 
 Material textured(Material material, TextureUse color, TextureUse normal = {}) {
   material.baseColorTexture = color;
@@ -19,7 +19,9 @@ Material thin(Material material) {
   return material;
 }
 
-Materials makeMaterials(Scene& scene) {
+}  // namespace
+
+atrium::Materials atrium::makeMaterials(Scene& scene) {
   const auto add = [&](Material material) { return addMaterial(scene, std::move(material)); };
   const auto use = [&](std::shared_ptr<const Texture> texture) { return addTexture(scene, std::move(texture)); };
   const SurfaceTextures stone = stoneBlocks(), brick = bricks(), wood = woodPlanks();
@@ -60,12 +62,10 @@ Materials makeMaterials(Scene& scene) {
   return m;
 }
 
-}  // namespace
-
 Model makeAtriumScene() {
   Model model;
   Scene& scene = model.scene;
-  const Materials materials = makeMaterials(scene);
+  const atrium::Materials materials = atrium::makeMaterials(scene);
 
   // Both sides and both ends are alike: the second is the first, rotated by 180 degrees.
   MeshBuilder side, end, build;

@@ -61,36 +61,6 @@ void addSprig(MeshBuilder& build, dvec3 root, dvec3 direction, dvec3 side, doubl
   });
 }
 
-void addPottedPlant(MeshBuilder& build, const Materials& m, dvec3 base, std::uint32_t seed) {
-  Random random(seed);
-  build.use(m.terracotta, 0.8);
-  Profile pot;
-  pot.lines({{0.36, 0.60}, {0.38, 0.70}, {0.43, 0.70}}).arc({0.43, 0.67}, 0.03, 0.5 * kPi, -0.5 * kPi, 4);
-  pot.lines({{0.43, 0.64}, {0.40, 0.62}});
-  std::vector<dvec2> belly;
-  for (int i = 0; i <= 8; ++i) {
-    const double t = i / 8.0;
-    belly.emplace_back(0.40 - 0.14 * t * t + 0.03 * std::sin(kPi * t), 0.62 - 0.54 * t);
-  }
-  pot.curve(belly).lines({{0.26, 0.08}, {0.30, 0.08}}).arc({0.30, 0.04}, 0.04, 0.5 * kPi, -0.5 * kPi, 4);
-  build.lathe(pot, base, 36);
-  build.use(m.soil);
-  build.disc(base + dvec3(0, 0.62, 0), {0, 1, 0}, 0.37, 32);
-  for (int i = 0; i < 110; ++i) {
-    const double turn = random.between(0, 2 * kPi), lift = random.between(-0.1, 1.35);
-    const dvec3 outwards(std::cos(turn), 0, std::sin(turn));
-    const dvec3 direction = std::cos(lift) * outwards + dvec3(0, std::sin(lift), 0);
-    const double ring = random.between(0.02, 0.30), height = random.between(0.65, 1.45);
-    const double tilt = random.between(-0.5, 0.5);
-    const dvec3 level(-outwards.z, 0, outwards.x), above = glm::cross(level, direction);
-    const float bright = static_cast<float>(random.between(0.75, 1.25));
-    build.use(m.leaves, 1, glm::vec4(bright * 0.95f, bright, bright * 0.85f, 1));
-    addSprig(build, base + ring * outwards + dvec3(0, height, 0), direction,
-             std::cos(tilt) * level + std::sin(tilt) * above, random.between(0.38, 0.62), random.between(0.34, 0.48),
-             random.between(0.1, 0.45));
-  }
-}
-
 // Ivy that hangs over the gallery's edge in tufts.
 void addIvy(MeshBuilder& build, const Materials& m, double out, std::uint32_t seed) {
   Random random(seed);
@@ -137,6 +107,36 @@ void addDrapes(MeshBuilder& build, const Materials& m) {
     }
 }
 
+void addPottedPlant(MeshBuilder& build, const Materials& m, dvec3 base, std::uint32_t seed) {
+  Random random(seed);
+  build.use(m.terracotta, 0.8);
+  Profile pot;
+  pot.lines({{0.36, 0.60}, {0.38, 0.70}, {0.43, 0.70}}).arc({0.43, 0.67}, 0.03, 0.5 * kPi, -0.5 * kPi, 4);
+  pot.lines({{0.43, 0.64}, {0.40, 0.62}});
+  std::vector<dvec2> belly;
+  for (int i = 0; i <= 8; ++i) {
+    const double t = i / 8.0;
+    belly.emplace_back(0.40 - 0.14 * t * t + 0.03 * std::sin(kPi * t), 0.62 - 0.54 * t);
+  }
+  pot.curve(belly).lines({{0.26, 0.08}, {0.30, 0.08}}).arc({0.30, 0.04}, 0.04, 0.5 * kPi, -0.5 * kPi, 4);
+  build.lathe(pot, base, 36);
+  build.use(m.soil);
+  build.disc(base + dvec3(0, 0.62, 0), {0, 1, 0}, 0.37, 32);
+  for (int i = 0; i < 110; ++i) {
+    const double turn = random.between(0, 2 * kPi), lift = random.between(-0.1, 1.35);
+    const dvec3 outwards(std::cos(turn), 0, std::sin(turn));
+    const dvec3 direction = std::cos(lift) * outwards + dvec3(0, std::sin(lift), 0);
+    const double ring = random.between(0.02, 0.30), height = random.between(0.65, 1.45);
+    const double tilt = random.between(-0.5, 0.5);
+    const dvec3 level(-outwards.z, 0, outwards.x), above = glm::cross(level, direction);
+    const float bright = static_cast<float>(random.between(0.75, 1.25));
+    build.use(m.leaves, 1, glm::vec4(bright * 0.95f, bright, bright * 0.85f, 1));
+    addSprig(build, base + ring * outwards + dvec3(0, height, 0), direction,
+             std::cos(tilt) * level + std::sin(tilt) * above, random.between(0.38, 0.62), random.between(0.34, 0.48),
+             random.between(0.1, 0.45));
+  }
+}
+
 void addPlants(MeshBuilder& build, const Materials& m) {
   std::uint32_t seed = 200;
   for (const int bay : {0, 1, 3, 4, 6, 7})
@@ -177,7 +177,7 @@ void addCentrepiece(MeshBuilder& build, const Materials& m) {
   });
 }
 
-void addLanterns(MeshBuilder& build, const Materials& m) {
+void addLantern(MeshBuilder& build, const Materials& m, double z) {
   MeshBuilder lantern;
   constexpr int kSides = 6;
   constexpr double kWide = 0.24, kNarrow = 0.17, kHigh = 0.62;
@@ -217,7 +217,11 @@ void addLanterns(MeshBuilder& build, const Materials& m) {
                 dvec3(0), 24);
   const std::array<dvec3, 2> rod{dvec3(0, kHigh + 0.42, 0), dvec3(0, kRoof + kRibRadius - 0.42 - kLanternFoot, 0)};
   lantern.tube(rod, 0.012, 6, dvec3(1, 0, 0));
-  for (const double z : kLanternZ) build.append(lantern.mesh(), {{0, kLanternFoot, z}, 0});
+  build.append(lantern.mesh(), {{0, kLanternFoot, z}, 0});
+}
+
+void addLanterns(MeshBuilder& build, const Materials& m) {
+  for (const double z : kLanternZ) addLantern(build, m, z);
 }
 
 }  // namespace halfsilver::atrium

@@ -30,6 +30,8 @@ struct Materials {
       soil, leaves, drapeRed, drapeTeal, drapeGold, glass;
 };
 
+Materials makeMaterials(Scene& scene);
+
 // z of column k, 0..kBays; of the middle of bay k, 0..kBays-1.
 inline double columnZ(int k) { return -kHalfLength + kBay * k; }
 inline double bayZ(int k) { return columnZ(k) + 0.5 * kBay; }
@@ -43,8 +45,10 @@ void addEndWall(MeshBuilder& build, const Materials& materials);
 void addRoofRibs(MeshBuilder& build, const Materials& materials);
 void addRailing(MeshBuilder& build, const Materials& materials);  // of one side
 void addDrapes(MeshBuilder& build, const Materials& materials);
+void addPottedPlant(MeshBuilder& build, const Materials& materials, glm::dvec3 base, std::uint32_t seed);
 void addPlants(MeshBuilder& build, const Materials& materials);
 void addCentrepiece(MeshBuilder& build, const Materials& materials);
+void addLantern(MeshBuilder& build, const Materials& materials, double z);
 void addLanterns(MeshBuilder& build, const Materials& materials);
 // Positions of the lanterns.
 inline constexpr double kLanternZ[] = {-10.8, -3.6, 3.6, 10.8};

@@ -15,10 +15,11 @@ struct Entry {
   Model (*make)();
 };
 
-constexpr std::array<Entry, 3> kScenes{{
+constexpr std::array<Entry, 4> kScenes{{
     {"sphere", makeSphereScene},
     {"teapot", makeTeapotScene},
     {"atrium", makeAtriumScene},
+    {"game", makeGameScene},
 }};
 
 }  // namespace

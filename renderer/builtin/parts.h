@@ -13,6 +13,7 @@ namespace halfsilver {
 Model makeSphereScene();
 Model makeTeapotScene();
 Model makeAtriumScene();
+Model makeGameScene();
 
 // Newell's teapot in its own units: standing on y = 0, 3.15 high, spout along +x. Each of the 32 patches becomes
 // steps x steps cells.

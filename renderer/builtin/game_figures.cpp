@@ -1,0 +1,261 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "builtin/game_parts.h"
+
+// Three smooth figures, each one skinned mesh over fourteen joints: one walks around the knot, one waves at the start,
+// one dances beside the goal. They stand on y = 0 and face +z at rest, arms hanging.
+namespace halfsilver::game {
+namespace {
+
+using glm::dquat;
+using glm::dvec2;
+using glm::dvec3;
+
+constexpr dvec3 kX(1, 0, 0), kY(0, 1, 0), kZ(0, 0, 1);
+
+enum Joint : std::uint32_t {
+  kHips,
+  kSpine,
+  kChest,
+  kHead,
+  kArmLeft,
+  kForearmLeft,
+  kArmRight,
+  kForearmRight,
+  kThighLeft,
+  kShinLeft,
+  kFootLeft,
+  kThighRight,
+  kShinRight,
+  kFootRight,
+  kJoints
+};
+
+constexpr double kHipHeight = 0.93, kKneeHeight = 0.50, kAnkleHeight = 0.08;
+constexpr double kUpperArm = 0.30, kForearm = 0.27;
+
+struct JointPlace {
+  const char* name;
+  int parent;  // a Joint, -1: the figure
+  dvec3 at;    // in the figure's space
+};
+
+dvec3 armDirection(double side) { return glm::normalize(dvec3(0.16 * side, -1, 0)); }
+dvec3 shoulder(double side) { return {0.205 * side, 1.40, 0}; }
+
+std::array<JointPlace, kJoints> jointPlaces() {
+  const dvec3 elbowLeft = shoulder(1) + kUpperArm * armDirection(1);
+  const dvec3 elbowRight = shoulder(-1) + kUpperArm * armDirection(-1);
+  return {{{"hips", -1, {0, 0.98, 0}},
+           {"spine", kHips, {0, 1.10, 0}},
+           {"chest", kSpine, {0, 1.26, 0}},
+           {"head", kChest, {0, 1.53, 0}},
+           {"left arm", kChest, shoulder(1)},
+           {"left forearm", kArmLeft, elbowLeft},
+           {"right arm", kChest, shoulder(-1)},
+           {"right forearm", kArmRight, elbowRight},
+           {"left thigh", kHips, {0.10, kHipHeight, 0}},
+           {"left shin", kThighLeft, {0.10, kKneeHeight, 0}},
+           {"left foot", kShinLeft, {0.10, kAnkleHeight, 0}},
+           {"right thigh", kHips, {-0.10, kHipHeight, 0}},
+           {"right shin", kThighRight, {-0.10, kKneeHeight, 0}},
+           {"right foot", kShinRight, {-0.10, kAnkleHeight, 0}}}};
+}
+
+// A smooth solid of revolution through (radius, position along the axis), from its far end down; then scaled.
+Mesh limb(std::uint32_t material, std::span<const dvec2> outline, dvec3 base, dvec3 axis, dvec3 scale = dvec3(1)) {
+  constexpr int kSides = 14, kBetween = 3;
+  std::vector<dvec2> smooth;
+  for (std::size_t i = 0; i + 1 < outline.size(); ++i) {
+    const dvec2 before = outline[i == 0 ? 0 : i - 1], from = outline[i], to = outline[i + 1],
+                after = outline[std::min(i + 2, outline.size() - 1)];
+    for (int k = 0; k < kBetween; ++k) {  // Catmull-Rom
+      const double t = static_cast<double>(k) / kBetween;
+      const dvec2 p = from + 0.5 * t *
+                                 ((to - before) + t * ((2.0 * before - 5.0 * from + 4.0 * to - after) +
+                                                       t * (3.0 * (from - to) + after - before)));
+      smooth.emplace_back(std::max(p.x, 0.0), p.y);
+    }
+  }
+  smooth.push_back(outline.back());
+  MeshBuilder build;
+  build.use(material).lathe(Profile().curve(smooth), dvec3(0), kSides, axis);
+  Mesh mesh = build.take();
+  for (Vertex& vertex : mesh.vertices) {
+    vertex.position = glm::vec3(base + scale * dvec3(vertex.position));
+    vertex.normal = glm::vec3(glm::normalize(dvec3(vertex.normal) / scale));
+    vertex.tangent = glm::vec4(glm::vec3(glm::normalize(scale * dvec3(glm::vec3(vertex.tangent)))), 1.0f);
+  }
+  return mesh;
+}
+
+Skinned body(const Materials& m, std::uint32_t skin) {
+  Skinned figure;
+  const Chain trunk{{{kHips, 0}, {kSpine, 1.08}, {kChest, 1.24}, {kHead, 1.53}}, dvec3(0), kY, 0.07};
+  const std::vector<dvec2> torso{{0, 1.51},     {0.09, 1.495}, {0.168, 1.43}, {0.186, 1.34}, {0.168, 1.22},
+                                 {0.138, 1.09}, {0.150, 0.98}, {0.158, 0.91}, {0.11, 0.845}, {0, 0.82}};
+  figure.add(limb(skin, torso, dvec3(0), kY, {1.08, 1, 0.66}), trunk);
+  const std::vector<dvec2> head{{0, 1.80},     {0.055, 1.785}, {0.092, 1.73}, {0.100, 1.68},
+                                {0.088, 1.61}, {0.055, 1.56},  {0.045, 1.52}, {0.05, 1.47}};
+  figure.add(limb(skin, head, dvec3(0), kY), {{{kChest, 0}, {kHead, 1.53}}, dvec3(0), kY, 0.04});
+  const std::vector<dvec2> visor{{0, 0.108}, {0.03, 0.106}, {0.052, 0.094}, {0.062, 0.07}};
+  figure.add(limb(m.visor, visor, {0, 1.685, 0}, kZ, {1.15, 0.62, 1}), {{{kHead, 0}}, dvec3(0), kY, 1});
+  for (const double side : {1.0, -1.0}) {
+    const bool left = side > 0;
+    const dvec3 down = armDirection(side);
+    const std::vector<dvec2> arm{{0, 0.06},      {0.045, 0.045}, {0.060, 0},     {0.052, -0.15}, {0.041, -0.30},
+                                 {0.043, -0.38}, {0.030, -0.55}, {0.040, -0.61}, {0.030, -0.67}, {0, -0.69}};
+    figure.add(limb(skin, arm, shoulder(side), -down),
+               {{{kChest, 0}, {left ? kArmLeft : kArmRight, -0.01}, {left ? kForearmLeft : kForearmRight, kUpperArm}},
+                shoulder(side),
+                down,
+                0.06});
+    const dvec3 hip(0.10 * side, kHipHeight, 0);
+    const std::vector<dvec2> leg{{0, 0.06},      {0.07, 0.04},   {0.092, -0.03}, {0.084, -0.20}, {0.060, -0.40},
+                                 {0.062, -0.50}, {0.056, -0.60}, {0.036, -0.80}, {0.032, -0.87}, {0, -0.89}};
+    figure.add(limb(skin, leg, hip, kY), {{{kHips, 0},
+                                           {left ? kThighLeft : kThighRight, 0.02},
+                                           {left ? kShinLeft : kShinRight, kHipHeight - kKneeHeight},
+                                           {left ? kFootLeft : kFootRight, kHipHeight - kAnkleHeight}},
+                                          hip,
+                                          -kY,
+                                          0.06});
+    const std::vector<dvec2> foot{{0, 0.17}, {0.035, 0.16}, {0.048, 0.10}, {0.046, 0}, {0.036, -0.06}, {0, -0.075}};
+    figure.add(limb(skin, foot, {0.10 * side, 0.046, 0}, kZ, {1, 0.95, 1}),
+               {{{left ? kFootLeft : kFootRight, 0}}, dvec3(0), kY, 1});
+  }
+  return figure;
+}
+
+struct Figure {
+  int node;                         // of the whole
+  std::array<int, kJoints> joints;  // nodes
+};
+
+Figure addFigure(Model& model, const Materials& m, int number, dvec3 at, double turn) {
+  Rig& rig = model.rig;
+  const std::string name = "figure " + std::to_string(number);
+  Figure figure{addNode(rig, name, -1, at), {}};
+  rig.nodes.back().rotation = glm::angleAxis(turn, kY);
+  const std::array<JointPlace, kJoints> places = jointPlaces();
+  Skin skin;
+  for (std::size_t j = 0; j < kJoints; ++j) {
+    const int parent = places[j].parent;
+    const auto above = static_cast<std::size_t>(std::max(parent, 0));
+    figure.joints[j] = addNode(rig, name + " " + places[j].name, parent < 0 ? figure.node : figure.joints[above],
+                               parent < 0 ? places[j].at : places[j].at - places[above].at);
+    skin.joints.push_back(figure.joints[j]);
+    glm::dmat4 inverse(1);
+    inverse[3] = glm::dvec4(-places[j].at, 1);
+    skin.inverseBind.push_back(inverse);
+  }
+  rig.skins.push_back(std::move(skin));
+  attach(model, figure.node, body(m, m.figures[number - 1]), static_cast<int>(rig.skins.size()) - 1);
+  return figure;
+}
+
+dquat about(dvec3 axis, double angle) { return glm::angleAxis(angle, axis); }
+
+// Walks around the middle of the hall.
+void addWalk(Model& model, const Figure& figure) {
+  constexpr double kRadius = 1.78, kStride = 1.2;  // meters, seconds of two steps
+  constexpr int kStrides = 8, kKeys = kStrides * 12;
+  Animation walk;
+  walk.name = "figure 1 walks";
+  walk.duration = static_cast<float>(kStrides * kStride);
+  const auto phase = [](double t) { return 2 * kPi * t / kStride; };
+  const auto around = [](double t) { return 2 * kPi * t / (kStrides * kStride); };
+  const auto turn = [&](Joint joint, const std::function<dquat(double)>& at) {
+    addRotations(walk, figure.joints[joint], kKeys, [&](double t) { return at(phase(t)); });
+  };
+  addTranslations(walk, figure.node, kKeys,
+                  [&](double t) { return dvec3(kRadius * std::sin(around(t)), 0, kRadius * std::cos(around(t))); });
+  addRotations(walk, figure.node, kKeys, [&](double t) { return about(kY, around(t) + 0.5 * kPi); });
+  addTranslations(walk, figure.joints[kHips], kKeys, [&](double t) {
+    return dvec3(0.02 * std::sin(phase(t)), 0.955 + 0.018 * std::cos(2 * phase(t)), 0);
+  });
+  turn(kHips, [](double p) { return about(kY, 0.10 * std::sin(p)); });
+  turn(kChest, [](double p) { return about(kY, -0.22 * std::sin(p)) * about(kX, 0.05); });
+  turn(kHead, [](double p) { return about(kY, 0.14 * std::sin(p)); });
+  for (const double side : {1.0, -1.0}) {
+    const bool left = side > 0;
+    // The leg is in front at sin = 1 and swings forward, its knee bent, while the cosine is positive.
+    turn(left ? kThighLeft : kThighRight, [side](double p) { return about(kX, -0.44 * side * std::sin(p) - 0.10); });
+    turn(left ? kShinLeft : kShinRight,
+         [side](double p) { return about(kX, 0.16 + 0.85 * std::max(0.0, side * std::cos(p))); });
+    turn(left ? kFootLeft : kFootRight, [side](double p) {
+      return about(kX, -0.06 + 0.25 * side * std::sin(p + 0.6) * (side * std::cos(p) > 0 ? 1.0 : 0.6));
+    });
+    turn(left ? kArmLeft : kArmRight, [side](double p) { return about(kX, 0.50 * side * std::sin(p)); });
+    turn(left ? kForearmLeft : kForearmRight,
+         [side](double p) { return about(kX, -0.40 + 0.25 * side * std::sin(p)); });
+  }
+  model.rig.animations.push_back(std::move(walk));
+}
+
+void addWave(Model& model, const Figure& figure) {
+  constexpr double kLength = 3.2;
+  constexpr int kKeys = 48;
+  Animation wave;
+  wave.name = "figure 2 waves";
+  wave.duration = static_cast<float>(kLength);
+  const auto turn = [&](Joint joint, const std::function<dquat(double)>& at) {
+    addRotations(wave, figure.joints[joint], kKeys, [&](double t) { return at(2 * kPi * t / kLength); });
+  };
+  turn(kArmRight, [](double p) { return about(kZ, -2.30 + 0.08 * std::sin(4 * p)); });
+  turn(kForearmRight, [](double p) { return about(kZ, -0.35 + 0.50 * std::sin(4 * p)); });
+  turn(kArmLeft, [](double p) { return about(kX, 0.10 * std::sin(p)) * about(kZ, 0.12); });
+  turn(kForearmLeft, [](double p) { return about(kX, -0.35 - 0.10 * std::sin(p)); });
+  turn(kSpine, [](double p) { return about(kZ, 0.05 * std::sin(p)); });
+  turn(kChest, [](double p) { return about(kY, 0.10 * std::sin(p)); });
+  turn(kHead, [](double p) { return about(kZ, 0.12 * std::sin(2 * p)) * about(kX, 0.05 * std::cos(p)); });
+  model.rig.animations.push_back(std::move(wave));
+}
+
+void addDance(Model& model, const Figure& figure) {
+  constexpr double kLength = 4.0;
+  constexpr int kKeys = 64;
+  Animation dance;
+  dance.name = "figure 3 dances";
+  dance.duration = static_cast<float>(kLength);
+  const auto beat = [](double t) { return 4 * kPi * t / kLength; };  // twice per loop
+  const auto bend = [](double p) { return 0.30 + 0.22 * std::cos(2 * p); };
+  const auto turn = [&](Joint joint, const std::function<dquat(double)>& at) {
+    addRotations(dance, figure.joints[joint], kKeys, [&](double t) { return at(beat(t)); });
+  };
+  // The hips sink as far as the bent knees ask for, so that the feet stay on the floor.
+  addTranslations(dance, figure.joints[kHips], kKeys, [&](double t) {
+    const double legs = kHipHeight - kAnkleHeight;
+    return dvec3(0.05 * std::sin(beat(t)), 0.98 - legs * (1 - std::cos(bend(beat(t)))), 0);
+  });
+  turn(kHips, [](double p) { return about(kZ, 0.10 * std::sin(p)); });
+  turn(kSpine, [](double p) { return about(kZ, -0.12 * std::sin(p)) * about(kY, 0.20 * std::sin(p)); });
+  turn(kChest, [](double p) { return about(kY, 0.25 * std::sin(p)); });
+  turn(kHead, [](double p) { return about(kZ, -0.15 * std::sin(p)); });
+  for (const double side : {1.0, -1.0}) {
+    const bool left = side > 0;
+    turn(left ? kThighLeft : kThighRight,
+         [&bend](double p) { return about(kZ, -0.10 * std::sin(p)) * about(kX, -bend(p)); });
+    turn(left ? kShinLeft : kShinRight, [&bend](double p) { return about(kX, 2 * bend(p)); });
+    turn(left ? kFootLeft : kFootRight, [&bend](double p) { return about(kX, -bend(p)); });
+    turn(left ? kArmLeft : kArmRight,
+         [side](double p) { return about(kZ, side * (1.55 + 0.55 * std::sin(p + (side > 0 ? 0 : kPi)))); });
+    turn(left ? kForearmLeft : kForearmRight,
+         [side](double p) { return about(kZ, side * (0.75 + 0.45 * std::cos(p + (side > 0 ? 0 : kPi)))); });
+  }
+  model.rig.animations.push_back(std::move(dance));
+}
+
+}  // namespace
+
+void addFigures(Model& model, const Materials& m) {
+  addWalk(model, addFigure(model, m, 1, {0, 0, 1.78}, 0.5 * kPi));
+  addWave(model, addFigure(model, m, 2, {-2.6, 0, 7.5}, 0.75));
+  addDance(model, addFigure(model, m, 3, {2.15, 0, -11.4}, -0.4));
+}
+
+}  // namespace halfsilver::game
