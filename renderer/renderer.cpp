@@ -434,6 +434,14 @@ std::optional<Picked> Renderer::pick(int x, int y) const {
   return Picked{visible - 1, glm::vec3(position)};
 }
 
+StructureCells Renderer::readStructure() const {
+  if (!impl_->tracer) return {};
+  const gl::StateGuard guard(impl_->api);
+  // Builds write the structure's buffers; the host reads them.
+  impl_->api.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+  return impl_->tracer->cells();
+}
+
 std::vector<RayWork> Renderer::readRayWork() {
   Impl& r = *impl_;
   if (!r.shown || !r.reported)

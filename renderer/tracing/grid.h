@@ -20,6 +20,16 @@ struct Grid {
     return static_cast<std::size_t>(voxels.x) * static_cast<std::size_t>(voxels.y) * static_cast<std::size_t>(voxels.z);
   }
 
+  glm::ivec3 voxelAt(std::size_t index) const {
+    const auto i = static_cast<int>(index);
+    return {i % voxels.x, i / voxels.x % voxels.y, i / (voxels.x * voxels.y)};
+  }
+  Bounds boundsOf(const glm::ivec3& voxel) const {
+    const glm::vec3 side = extent / glm::vec3(voxels);
+    const glm::vec3 corner = low + glm::vec3(voxel) * side;
+    return {corner, corner + side};
+  }
+
   bool operator==(const Grid&) const = default;
 
   float texelSize() const { return glm::max(extent.x, glm::max(extent.y, extent.z)) / static_cast<float>(texels); }

@@ -66,6 +66,7 @@ const std::map<std::string, std::string> kPublicHeaders = {
     {"scene_core.h", "scene"},
     {"settings.h", "settings"},
     {"shared_structs.h", "frame"},
+    {"structure_cells.h", "core"},
     {"tracer.h", "tracing"},
     {"gl/api.h", "gl"},
     {"gl/buffer.h", "gl"},

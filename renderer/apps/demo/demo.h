@@ -19,7 +19,8 @@ struct Request {
   std::optional<int> frames;           // draw so many and end; without a window unless `window`
   std::optional<double> frameTime;     // milliseconds that the controller holds
   std::optional<double> contentScale;  // in place of the display's
-  bool window = false, overlay = false;
+  std::string show, cells;             // names of View and Cells; empty: the picture, none
+  bool window = false, overlay = false, split = false;
 };
 
 // Plays until the end; throws nothing. Returns an exit code and, unless it is 0, one line.

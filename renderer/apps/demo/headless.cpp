@@ -43,8 +43,16 @@ void runHeadless(const Request& request) {
     log.add(figures);
     outputs.add(figures);
     if (!overlay || frame + 1 < *request.frames) continue;
-    OverlayState state{options, log, session.playing().model(), dynamic_cast<Viewer*>(&session.playing()), {},
-                       {},      {},  session.status(options)};
+    const std::vector<Segment> cells = session.cells(options);
+    OverlayState state{options,
+                       log,
+                       session.playing().model(),
+                       dynamic_cast<Viewer*>(&session.playing()),
+                       {},
+                       {},
+                       {},
+                       session.status(options),
+                       cells};
     for (int i = 0; i < kLayouts; ++i) overlay->layOut(size, kStep, session.backdrops(), state);
     api.BindFramebuffer(GL_DRAW_FRAMEBUFFER, shown->target().framebuffer);
     overlay->draw();

@@ -102,8 +102,9 @@ class Interactive {
     session_.advance(controls, options_.frozen ? 0 : seconds);
     log_.add(session_.draw(window_.size(), 1, options_, false));
     followClicks(controls);
+    const std::vector<Segment> cells = session_.cells(options_);
     OverlayState state{options_, log_, session_.playing().model(), viewer(), clicked_,
-                       message_, {},   session_.status(options_)};
+                       message_, {},   session_.status(options_),  cells};
     const SceneChange change = overlay_.layOut(window_.size(), seconds, session_.backdrops(), state);
     clear();
     overlay_.draw();
@@ -145,6 +146,7 @@ class Interactive {
     if (Viewer* scene = viewer()) toggle(GLFW_KEY_P, scene->paused);
     for (int view = 0; view < static_cast<int>(std::size(kViewNames)); ++view)
       if (window_.pressed(GLFW_KEY_1 + view)) options_.view = static_cast<View>(view);
+    if (window_.pressed(GLFW_KEY_B)) options_.cells = static_cast<Cells>((static_cast<int>(options_.cells) + 1) % 3);
     if (window_.pressed(GLFW_KEY_F)) session_.playing().frame(selection());
     if (window_.pressed(GLFW_KEY_F11)) window_.toggleFullscreen();
     if (window_.pressed(GLFW_KEY_V)) {

@@ -12,12 +12,15 @@ enum class View { picture, selection, answer, distance, normals, reflectivity, m
 inline constexpr const char* kViewNames[] = {"picture",      "selection", "what answered",    "hit distance", "normals",
                                              "reflectivity", "motion",    "cost of the walk", "error"};
 
+enum class Cells { none, bricks, voxels };
+inline constexpr const char* kCellNames[] = {"none", "bricks", "voxels by the length of their lists"};
+
 // What the player has chosen.
 struct Options {
   Settings settings, other;  // of the picture, and of the right side of a split screen
   bool overlay = true, keys = false, split = false, reference = false, frozen = false, verticalSync = true;
-  bool cells = false;    // the structure's cells as boxes
-  float splitAt = 0.5f;  // share of the width
+  Cells cells = Cells::none;  // of the structure, as boxes
+  float splitAt = 0.5f;       // share of the width
   View view = View::picture;
   double frameTime = 0;    // milliseconds to hold; 0: full resolution
   double bestSeconds = 0;  // of the game; 0: none yet

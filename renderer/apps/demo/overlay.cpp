@@ -17,8 +17,9 @@ constexpr float kFontPixels = 15;  // at scale 1
 void drawBackdrop(const Backdrop& backdrop, const Size& size) {
   const auto width = static_cast<float>(size.width), height = static_cast<float>(size.height);
   const float top = backdrop.topDown ? 0.0f : 1.0f;
-  ImGui::GetBackgroundDrawList()->AddImage(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(backdrop.texture)),
-                                           {backdrop.from * width, 0}, {backdrop.to * width, height},
+  // Dear ImGui takes a texture's name for a pointer. NOLINTNEXTLINE(performance-no-int-to-ptr)
+  const auto texture = reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(backdrop.texture));
+  ImGui::GetBackgroundDrawList()->AddImage(texture, {backdrop.from * width, 0}, {backdrop.to * width, height},
                                            {backdrop.from, top}, {backdrop.to, 1 - top});
 }
 
@@ -73,6 +74,9 @@ SceneChange Overlay::layOut(const Size& size, double seconds, std::span<const Ba
   const Size shown{static_cast<int>(area.x), static_cast<int>(area.y)};
   for (const Backdrop& backdrop : backdrops) drawBackdrop(backdrop, shown);
   const auto scale = static_cast<float>(scale_);
+  for (const Segment& segment : state.segments)
+    ImGui::GetBackgroundDrawList()->AddLine({segment.from.x * area.x, segment.from.y * area.y},
+                                            {segment.to.x * area.x, segment.to.y * area.y}, segment.color, scale);
   drawStatus(state, scale);
   SceneChange change;
   if (state.options.split) drawSplitter(state.options, scale);

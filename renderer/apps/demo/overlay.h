@@ -1,7 +1,9 @@
 #pragma once
 
 #include <functional>
+#include <glm/glm.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -18,16 +20,23 @@ namespace halfsilver::demo {
 
 class Viewer;
 
+// A line over the picture, in shares of its width and height from the upper left corner.
+struct Segment {
+  glm::vec2 from, to;
+  std::uint32_t color;  // ABGR
+};
+
 // What the overlay shows and changes.
 struct OverlayState {
   Options& options;
   const FrameLog& log;
   Model& model;
-  Viewer* viewer = nullptr;               // null: the game is on
-  std::optional<std::uint32_t> material;  // that the player clicked
-  std::string message;                    // of the last problem
-  std::string controller;                 // what holds the frame time
-  std::vector<std::string> status;        // of the play
+  Viewer* viewer = nullptr;                // null: the game is on
+  std::optional<std::uint32_t> material;   // that the player clicked
+  std::string message;                     // of the last problem
+  std::string controller;                  // what holds the frame time
+  std::vector<std::string> status;         // of the play
+  std::span<const Segment> segments = {};  // over the picture
 };
 
 // A picture behind the overlay, over a part of the window.

@@ -137,6 +137,8 @@ SceneChange drawControls(OverlayState& state, float scale) {
   ImGui::PushItemWidth(-135 * scale);
   int view = static_cast<int>(options.view);
   if (ImGui::Combo("show", &view, kViewNames, IM_ARRAYSIZE(kViewNames))) options.view = static_cast<View>(view);
+  int cells = static_cast<int>(options.cells);
+  if (ImGui::Combo("cells", &cells, kCellNames, IM_ARRAYSIZE(kCellNames))) options.cells = static_cast<Cells>(cells);
   ImGui::Checkbox("exact", &options.reference);
   ImGui::SameLine();
   ImGui::Checkbox("split", &options.split);

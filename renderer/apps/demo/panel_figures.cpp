@@ -93,7 +93,7 @@ void drawKeys(const Options& options, float scale) {
   line("Space", "exact reference of the view", state(options.reference));
   line("Tab", "split screen", state(options.split));
   line("1 .. 9", "what the picture shows", kViewNames[static_cast<int>(options.view)]);
-  line("B", "cells of the structure", state(options.cells));
+  line("B", "cells of the structure", kCellNames[static_cast<int>(options.cells)]);
   line("T", "frozen time", state(options.frozen));
   line("V", "vertical sync", state(options.verticalSync));
   line("F11", "fullscreen");

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "apps/demo/cell_lines.h"
 #include "apps/demo/false_colors.h"
 
 namespace halfsilver::demo {
@@ -62,6 +63,13 @@ FrameFigures Session::draw(const Size& window, double scale, const Options& opti
     report_ = std::move(*arrived);
   const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
   return {frame_++, took.count(), scale, options.settings.select.fraction, size.width, size.height, report_};
+}
+
+std::vector<Segment> Session::cells(const Options& options) const {
+  if (options.cells == Cells::none) return {};
+  const Size size = view_->size();
+  return cellLines(view_->renderer().readStructure(), options.cells, play_->camera(),
+                   static_cast<float>(size.width) / static_cast<float>(size.height));
 }
 
 std::vector<std::string> Session::status(const Options& options) const {

@@ -35,6 +35,8 @@ class Session {
   FrameFigures draw(const Size& window, double scale, const Options& options, bool wait);
   // What the player should know, a line each.
   std::vector<std::string> status(const Options& options) const;
+  // The structure's cells over the picture, if the options ask for them. Waits for the GPU.
+  std::vector<Segment> cells(const Options& options) const;
   // What to show, in the order of drawing. Valid until the next draw().
   std::span<const Backdrop> backdrops() const { return backdrops_; }
 

@@ -2,11 +2,26 @@
 
 #include <exception>
 #include <new>
+#include <span>
+#include <string_view>
 
 #include <halfsilver/error.h>
 #include "apps/demo/viewer.h"
 
 namespace halfsilver::demo {
+namespace {
+
+// Of the name that begins with the text.
+int indexOf(const char* option, const std::string& text, std::span<const char* const> names) {
+  std::string known;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (std::string_view(names[i]).starts_with(text)) return static_cast<int>(i);
+    known += (i ? ", " : "") + std::string(names[i]);
+  }
+  throw Error(ErrorKind::usage, std::string(option) + " " + text + ": known are " + known);
+}
+
+}  // namespace
 
 std::unique_ptr<Play> makeViewer(const Request& request, const std::string& scene) {
   ViewRequest view = request.view;
@@ -29,6 +44,9 @@ Options firstOptions(const Request& request) {
   options.other = options.settings;
   options.other.trace.method = options.settings.trace.method == "identity" ? "none" : "identity";
   options.frameTime = request.frameTime.value_or(0);
+  options.split = request.split;
+  if (!request.show.empty()) options.view = static_cast<View>(indexOf("--show", request.show, kViewNames));
+  if (!request.cells.empty()) options.cells = static_cast<Cells>(indexOf("--cells", request.cells, kCellNames));
   return options;
 }
 

@@ -16,7 +16,7 @@ class Viewer final : public Play {
   Viewer(Model model, const Camera& start);
 
   Model& model() override { return model_; }
-  void step(const Controls& controls, double seconds) override;
+  void step(const Controls& controls, double elapsed) override;
   SceneChange update() override;
   Camera camera() const override { return camera_.camera(); }
   std::vector<std::string> status() const override;

@@ -14,6 +14,7 @@
 #include <halfsilver/scene.h>
 #include <halfsilver/scene_change.h>
 #include <halfsilver/settings.h>
+#include <halfsilver/structure_cells.h>
 
 // The public class. Everything here throws halfsilver::Error and nothing else on purpose.
 namespace halfsilver {
@@ -137,6 +138,9 @@ class Renderer {
   // What that frame shows at a pixel, whose row 0 is the bottom; nothing if that is the sky or outside. Waits for the
   // GPU.
   std::optional<Picked> pick(int x, int y) const;
+
+  // The cells of the structure as it is now; empty if the method has none. Waits for the GPU.
+  StructureCells readStructure() const;
 
   // The work of each ray of that frame, in the order in which they were traced. Empty unless trace.count_work was set
   // and the method counts. Only of a frame of one bounce whose rays fit one batch (a storage block holds what belongs

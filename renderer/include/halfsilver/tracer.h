@@ -9,6 +9,7 @@
 #include <halfsilver/methods.h>
 #include <halfsilver/scene_change.h>
 #include <halfsilver/settings.h>
+#include <halfsilver/structure_cells.h>
 
 namespace halfsilver {
 
@@ -71,6 +72,9 @@ class Tracer {
   virtual TracerMemory memory() const = 0;
   // What memory() lacks because it is on the GPU. A report copies it when a frame ends.
   virtual TracerCounts counts() const { return {}; }
+
+  // What the structure holds, for pictures of it. Waits for the GPU.
+  virtual StructureCells cells() const { return {}; }
 
   // RayWork per ray of the queue that was traced last, if trace.count_work is set and the method counts.
   virtual const gl::Buffer* rayWork() const { return nullptr; }

@@ -144,4 +144,14 @@ TracerMemory AttributeTracer::memory() const {
   return memory;
 }
 
+StructureCells AttributeTracer::cells() const {
+  StructureCells cells;
+  if (!voxels_.words) return cells;
+  const std::vector<GLuint> words = voxels_.words.read<GLuint>(voxels_.words.bytes() / sizeof(GLuint));
+  for (std::size_t i = 0; i < grid_.voxelCount(); ++i)
+    if ((words[i / VOXELS_PER_WORD] >> (VOXEL_BITS * (i % VOXELS_PER_WORD)) & 7u) != 0)
+      cells.voxels.push_back({grid_.boundsOf(grid_.voxelAt(i)), 0});
+  return cells;
+}
+
 }  // namespace halfsilver

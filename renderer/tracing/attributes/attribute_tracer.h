@@ -25,6 +25,7 @@ class AttributeTracer final : public Tracer {
   void trace(const FrameView& view, const RayQueue& rays, Hits& hits) override;
   bool storesAttributes() const override { return true; }
   TracerMemory memory() const override;
+  StructureCells cells() const override;
   const gl::Buffer* rayWork() const override { return tracePass_.work(); }
   TracerCounts counts() const override { return {&pool_.counters().buffer(), PagePool::addCounts}; }
 

@@ -31,6 +31,7 @@ class IdentityTracer final : public Tracer {
   void forget() override { built_ = false; }
   void trace(const FrameView& view, const RayQueue& rays, Hits& hits) override;
   TracerMemory memory() const override;
+  StructureCells cells() const override { return store_.cells(); }
   const gl::Buffer* rayWork() const override { return tracePass_.work(); }
   TracerCounts counts() const override { return {&builder_.counters().buffer(), addFragmentCounts}; }
 
