@@ -115,18 +115,24 @@ void renderSequence(const SequenceRequest& request, Progress& progress, WallCloc
   settings.image.motion = settings.image.motion || !request.outputs.layers.empty();
   RenderJob job(request.view, request.arguments, settings, std::move(loaded), progress, clock);
 
+  // Motion is that since the frame before: if that one was not drawn, it is drawn now and not kept.
+  const auto show = [&](int frame, FrameReport& report) {
+    job.renderer.update(job.model.scene, pose(job.model, playTogether(animations, secondsOf(frame))));
+    drawFirstFrame(job.renderer, chooseCamera(job.model.scene, request.arguments.camera), settings, job.target.target(),
+                   report);
+  };
+  std::optional<int> drawn;
   std::vector<std::string> warnings = job.statistics.warnings;
   Pace pace(frames.size());
   for (const int frame : frames) {
     progress.show(pace.next(frame));
     Outputs outputs(numbered(request.outputs, frame));
     RunStatistics statistics = job.statistics;
-    const SceneChange change = pose(job.model, playTogether(animations, secondsOf(frame)));
-    job.renderer.update(job.model.scene, change);
+    if (settings.image.motion && frame > 0 && drawn != frame - 1) show(frame - 1, statistics.report);
+    show(frame, statistics.report);
+    drawn = frame;
     statistics.diagonal = job.model.scene.bounds().diagonal();
     statistics.firstFrame = frame == frames.front();
-    drawFirstFrame(job.renderer, chooseCamera(job.model.scene, request.arguments.camera), statistics.settings,
-                   job.target.target(), statistics.report);
     StageTimes times;
     times.add(statistics.report.times);
     statistics.stages = times.summarize();

@@ -36,7 +36,8 @@ struct SequenceRequest {
 };
 
 // Draws what is missing; structures and shadow maps are kept from frame to frame. Every file is whole as soon as it
-// exists, so that a run can be stopped at any time and be taken up by the same command. Throws Error.
+// exists, so that a run can be stopped at any time and be taken up by the same command. Layers hold the motion since
+// the frame before, whether that one is drawn in the same run or not; frame 0 has none. Throws Error.
 void renderSequence(const SequenceRequest& request, Progress& progress, WallClock& clock);
 
 }  // namespace halfsilver

@@ -1,6 +1,7 @@
 #include "scene/pose.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <glm/gtc/matrix_transform.hpp>
@@ -144,12 +145,25 @@ glm::dvec3 unit(const glm::dvec3& v, const glm::dvec3& fallback) {
 
 double signOf(double determinant) { return determinant < 0 ? -1.0 : 1.0; }
 
-// Rounded to the float that a key of the same decimal is, so that a key holds from its own time on.
+// The shortest decimal that reads back as the float: 0.4, not 0.4000000059604645.
+double decimalOf(float value) {
+  char text[32];
+  const char* const end = std::to_chars(text, text + sizeof(text), value).ptr;
+  double decimal = 0;
+  std::from_chars(text, end, decimal);
+  return decimal;
+}
+
+// Rounded to the float that a key of the same decimal is, so that a key holds from its own time on, in every loop. A
+// loop is as long as the decimal that the file's duration stands for, and ends with the last pose: at each multiple of
+// it, but for 0.
 float timeInLoop(double seconds, float duration) {
-  const auto time = static_cast<float>(seconds);
-  if (time >= 0 && time <= duration) return time;
-  const double length = duration;
-  return length > 0 ? static_cast<float>(seconds - length * std::floor(seconds / length)) : 0.0f;
+  const double length = decimalOf(duration);
+  if (!(length > 0)) return 0;
+  const double loops = seconds / length, whole = std::round(loops);
+  // Multiples of a decimal are a rounding error beside it.
+  if (whole >= 1 && std::abs(loops - whole) <= 1e-12 * whole) return duration;
+  return std::min(duration, static_cast<float>(seconds - length * std::floor(loops)));
 }
 
 // Makes the triangles of the instance wind as its pose asks for. Returns whether they did not.

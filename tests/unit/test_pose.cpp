@@ -91,6 +91,25 @@ TEST(Pose, TheDurationIsTheLastPoseWhateverItIs) {
   }
 }
 
+TEST(Pose, EveryLoopEndsWithTheLastPoseAndHoldsItsKeys) {
+  for (const int tenths : {1, 3, 4, 6, 7, 9, 13, 33}) {
+    const double duration = tenths / 10.0;
+    std::vector<float> times, values;
+    for (int tenth = 0; tenth <= tenths; ++tenth) {
+      times.push_back(std::stof(std::to_string(tenth / 10.0)));
+      values.insert(values.end(), {static_cast<float>(tenth), 0, 0});
+    }
+    Model model = load(animated("translation", times, values, "VEC3", "STEP"));
+    for (int tenth = 1; tenth < 5 * tenths; ++tenth) {
+      poseAt(model, tenth / 10.0);
+      const int inLoop = tenth % tenths == 0 ? tenths : tenth % tenths;
+      EXPECT_EQ(corner(model, 0).x, static_cast<float>(inLoop)) << tenth << " tenths of " << duration << " s";
+    }
+    poseAt(model, 0);
+    EXPECT_EQ(corner(model, 0).x, 0);
+  }
+}
+
 TEST(Pose, KeysThatDoNotIncreaseFromZeroAreLeftOut) {
   const Model model = load(animated("translation", {-1, 0, 0, 2, 1, 3},
                                     {9, 9, 9, 0, 0, 0, 9, 9, 9, 2, 0, 0, 9, 9, 9, 3, 0, 0}, "VEC3", "LINEAR"));

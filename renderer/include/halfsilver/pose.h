@@ -11,8 +11,8 @@
 // of how vertices follow, on the CPU. Source: the glTF 2.0 specification, sections 3.7 and 3.11.
 namespace halfsilver {
 
-// An animation at a time of its own. It loops: a time beyond its duration starts again; the duration itself is the last
-// pose. Keys compare as the floats that they are.
+// An animation at a time of its own. It loops: a time beyond its duration starts again; the duration itself and its
+// multiples are the last pose. Keys compare as the floats that they are.
 struct Playing {
   int animation = 0;  // into Rig::animations
   double seconds = 0;
