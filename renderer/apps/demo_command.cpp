@@ -39,7 +39,7 @@ void addDemoCommand(CLI::App& program) {
       ->check(CLI::Range(0.5, 4.0));
   command->add_option("--show", request.show, "What the picture shows at first: selection, error, ... (see F1)");
   command->add_option("--cells", request.cells, "Show the structure's cells: bricks or voxels, with the overlay");
-  command->add_flag("--split", request.split, "Begin with a split screen");
+  command->add_option("--split", request.split, "A preset or a method that draws the right half");
   command->add_flag("--window", request.window, "Open a window with --frames, too");
   command->add_flag("--overlay", request.overlay, "Draw the overlay into the frames of --frames, too");
   command->callback([shared] {

@@ -64,6 +64,41 @@ TEST(Demo, TheOverlayGrowsWithTheDisplaysScale) {
   EXPECT_GT(covered("two.png"), 2 * covered("one.png"));
 }
 
+TEST(Demo, ASplitScreenShowsAMethodOnEachSide) {
+  const TemporaryFolder folder;
+  const std::string exact = kQuick + "--preset reference --frames 1 --screenshot ";
+  for (const std::string arguments : {"left.png", "both.png --split deferred"})
+    ASSERT_EQ(runProgramIn(folder, exact + arguments).exitCode, 0);
+  ASSERT_EQ(runProgramIn(folder, kQuick + "--preset deferred --frames 1 --screenshot right.png").exitCode, 0);
+  const Image left = readImage(folder / "left.png").image, right = readImage(folder / "right.png").image;
+  const Image both = readImage(folder / "both.png").image;
+  std::size_t different = 0;
+  for (std::size_t i = 0; i < both.data.size(); ++i) {
+    const bool isLeft = i / both.channels.size() % static_cast<std::size_t>(both.width) < 48;
+    ASSERT_EQ(both.data[i], (isLeft ? left : right).data[i]);
+    different += left.data[i] != right.data[i];
+  }
+  EXPECT_GT(different, 500u) << "the sides are of different methods";
+}
+
+TEST(Demo, ShowsWhereAMethodIsWrong) {
+  const TemporaryFolder folder;
+  const auto share = [&](const std::string& preset, int channel) {
+    EXPECT_EQ(runProgramIn(folder, kQuick + "--show error --frames 1 --screenshot a.png --preset " + preset).exitCode,
+              0);
+    const Image picture = readImage(folder / "a.png").image;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < picture.data.size(); i += picture.channels.size()) {
+      const auto* rgb = &picture.data[i];
+      count += rgb[channel] > 0.3f && rgb[channel] > 2 * rgb[channel == 0 ? 1 : 0];
+    }
+    return static_cast<double>(count) / static_cast<double>(picture.pixelCount());
+  };
+  EXPECT_EQ(share("halfsilver", 0), 0) << "no red";
+  EXPECT_GT(share("halfsilver", 1), 0.03) << "but green";
+  EXPECT_GT(share("kastrati2017", 0), 0.0005) << "red";
+}
+
 TEST(Demo, WithoutADisplayAWindowIsRefusedInOneLine) {
   const TemporaryFolder folder;
   const ProgramResult result = runProgramIn(folder, "demo builtin:sphere", "DISPLAY= WAYLAND_DISPLAY= ");
@@ -77,6 +112,8 @@ TEST(Demo, WhatIsNoSceneIsRefusedBeforeAnythingIsWritten) {
   EXPECT_EQ(runProgramIn(folder, "demo no.glb --frames 1 --screenshot a.png").exitCode, 3);
   EXPECT_EQ(runProgramIn(folder, "demo builtin:sphere --frames 0").exitCode, 2);
   EXPECT_EQ(runProgramIn(folder, "demo builtin:sphere --frames 1 --size x --screenshot a.png").exitCode, 2);
+  for (const std::string unknown : {"--show nothing", "--split nothing"})
+    EXPECT_EQ(runProgramIn(folder, "demo builtin:sphere --frames 1 --screenshot a.png " + unknown).exitCode, 2);
   EXPECT_TRUE(filesIn(folder).empty());
 }
 

@@ -20,7 +20,8 @@ struct Request {
   std::optional<double> frameTime;     // milliseconds that the controller holds
   std::optional<double> contentScale;  // in place of the display's
   std::string show, cells;             // names of View and Cells; empty: the picture, none
-  bool window = false, overlay = false, split = false;
+  std::string split;                   // a preset or a method that draws the right side; empty: no split screen
+  bool window = false, overlay = false;
 };
 
 // Plays until the end; throws nothing. Returns an exit code and, unless it is 0, one line.

@@ -28,7 +28,7 @@ void runHeadless(const Request& request) {
   const Context context = makeContext(contextKind(request.view.context));
   const gl::Api api = gl::Api::load(context.getProcAddress());
   Session session(api, context.getProcAddress(), request.view.threads);
-  session.play(std::move(play));
+  session.play(std::move(play), size, options);
   std::optional<Overlay> overlay;
   std::optional<OffscreenTarget> shown;
   if (request.overlay) {
@@ -58,7 +58,7 @@ void runHeadless(const Request& request) {
     overlay->draw();
   }
   progress.clear();
-  outputs.commit(size, shown ? shown->read() : session.view().read());
+  outputs.commit(size, shown ? shown->read() : session.read());
 }
 
 }  // namespace halfsilver::demo

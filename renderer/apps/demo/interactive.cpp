@@ -33,12 +33,13 @@ class Interactive {
         session_(api_, window_.getProcAddress(), request.view.threads) {
     if (!request.frames) load(configFolder(), options_);
     applyOverrides(options_.settings, request.view);
+    good_ = options_;
     scene_ = request.view.scene;
   }
 
   void run() {
     showProgress("loading", 0.1f);
-    session_.play(makePlay(request_));
+    session_.play(makePlay(request_), drawn(), options_);
     warmUp();
     RunOutputs outputs(request_);
     auto before = std::chrono::steady_clock::now();
@@ -56,7 +57,7 @@ class Interactive {
       }
       openDropped();
     }
-    if (request_.frames) outputs.commit(session_.view().size(), session_.view().read());
+    if (request_.frames) outputs.commit(session_.view().size(), session_.read());
     if (!request_.frames) save(configFolder(), options_);
   }
 
@@ -100,7 +101,7 @@ class Interactive {
     if (!overlay_.wantsKeys()) followKeys();
     if (Viewer* scene = viewer()) scene->setWindowHeight(window_.size().height);
     session_.advance(controls, options_.frozen ? 0 : seconds);
-    log_.add(session_.draw(window_.size(), 1, options_, false));
+    drawPicture();
     followClicks(controls);
     const std::vector<Segment> cells = session_.cells(options_);
     OverlayState state{options_, log_, session_.playing().model(), viewer(), clicked_,
@@ -110,6 +111,19 @@ class Interactive {
     overlay_.draw();
     window_.show();
     session_.update(change);
+  }
+
+  // Settings that the device cannot draw are taken back.
+  void drawPicture() {
+    try {
+      log_.add(session_.draw(window_.size(), 1, options_, false));
+      good_ = options_;
+    } catch (const Error& error) {
+      message_ = error.what();
+      options_.settings = good_.settings;
+      options_.other = good_.other;
+      options_.view = View::picture;
+    }
   }
 
   void followClicks(const Controls& controls) {
@@ -184,7 +198,7 @@ class Interactive {
       session_.draw(size, 1, options_, true);
       AtomicFile file(freeName(".png"));
       const std::filesystem::path name = freeName(".png");
-      file.write(encodePng(size.width, size.height, session_.view().read()));
+      file.write(encodePng(size.width, size.height, session_.read()));
       file.commit();
       return "saved " + name.string();
     });
@@ -204,7 +218,7 @@ class Interactive {
   void open(const std::string& scene) {
     attempt([&] {
       showProgress("loading " + scene, 0.3f);
-      session_.play(makeViewer(request_, scene));
+      session_.play(makeViewer(request_, scene), drawn(), options_);
       scene_ = scene;
       clicked_.reset();
       warmUp();
@@ -226,7 +240,7 @@ class Interactive {
   }
 
   const Request& request_;
-  Options options_;
+  Options options_, good_;  // chosen, and of the last frame that could be drawn
   Window window_;
   gl::Api api_;
   Overlay overlay_;

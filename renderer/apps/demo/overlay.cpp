@@ -5,14 +5,27 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <cstdio>
+#include <cmath>
+#include <filesystem>
 
 #include "apps/demo/panels.h"
 
 namespace halfsilver::demo {
 namespace {
 
-constexpr float kFontPixels = 15;  // at scale 1
+constexpr float kFontPixels = 15;    // at scale 1
+constexpr float kBitmapPixels = 13;  // of Dear ImGui's own font, whose outlines are pixels
+
+// At its size, so that it is never stretched.
+void addFont(ImFontAtlas& fonts, float scale) {
+  std::error_code ignored;
+  if (std::filesystem::is_regular_file(HALFSILVER_DEMO_FONT, ignored) &&
+      fonts.AddFontFromFileTTF(HALFSILVER_DEMO_FONT, std::round(kFontPixels * scale)))
+    return;
+  ImFontConfig config;
+  config.SizePixels = kBitmapPixels * std::max(1.0f, std::round(scale));
+  fonts.AddFontDefault(&config);
+}
 
 void drawBackdrop(const Backdrop& backdrop, const Size& size) {
   const auto width = static_cast<float>(size.width), height = static_cast<float>(size.height);
@@ -42,9 +55,7 @@ void Overlay::setScale(double scale) {
   scale_ = scale;
   ImFontAtlas& fonts = *ImGui::GetIO().Fonts;
   fonts.Clear();
-  ImFontConfig config;
-  config.SizePixels = std::round(kFontPixels * static_cast<float>(scale));
-  fonts.AddFontDefault(&config);
+  addFont(fonts, static_cast<float>(scale));
   ImGui_ImplOpenGL3_DestroyFontsTexture();
   ImGui_ImplOpenGL3_CreateFontsTexture();
   ImGui::GetStyle() = ImGuiStyle();

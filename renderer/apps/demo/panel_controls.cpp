@@ -131,10 +131,10 @@ SceneChange drawControls(OverlayState& state, float scale) {
   SceneChange change;
   const ImVec2 area = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({area.x - 10 * scale, 10 * scale}, ImGuiCond_FirstUseEver, {1, 0});
-  ImGui::SetNextWindowSize({330 * scale, 0}, ImGuiCond_FirstUseEver);
+  ImGui::SetNextWindowSize({350 * scale, 0}, ImGuiCond_FirstUseEver);
   ImGui::SetNextWindowBgAlpha(0.75f);
   ImGui::Begin("Controls");
-  ImGui::PushItemWidth(-135 * scale);
+  ImGui::PushItemWidth(-155 * scale);
   int view = static_cast<int>(options.view);
   if (ImGui::Combo("show", &view, kViewNames, IM_ARRAYSIZE(kViewNames))) options.view = static_cast<View>(view);
   int cells = static_cast<int>(options.cells);

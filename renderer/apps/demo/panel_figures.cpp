@@ -32,7 +32,7 @@ void drawStatus(const OverlayState& state, float scale) {
   if (!state.message.empty()) lines.push_back(state.message);
   if (lines.empty()) return;
   const ImVec2 area = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos({0.5f * area.x, 10 * scale}, ImGuiCond_Always, {0.5f, 0});
+  ImGui::SetNextWindowPos({0.5f * area.x, area.y - 50 * scale}, ImGuiCond_Always, {0.5f, 1});
   ImGui::SetNextWindowBgAlpha(0.45f);
   ImGui::Begin("status", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_AlwaysAutoResize);

@@ -13,8 +13,10 @@ namespace halfsilver::demo {
 Session::Session(const gl::Api& api, Proc getProcAddress, int threads)
     : api_(&api), getProcAddress_(std::move(getProcAddress)), threads_(threads) {}
 
-void Session::play(std::unique_ptr<Play> next) {
+void Session::play(std::unique_ptr<Play> next, const Size& size, const Options& options) {
   auto view = std::make_unique<SceneView>(*api_, getProcAddress_, next->model().scene, threads_);
+  view->draw(next->camera(), settingsOf(options.settings, options), size);
+  backdrops_.clear();
   second_.reset();
   view_ = std::move(view);  // before the scene that the old one refers to goes
   play_ = std::move(next);
@@ -42,6 +44,10 @@ Settings Session::settingsOf(const Settings& chosen, const Options& options) con
   settings.image.motion = options.view == View::motion;
   settings.trace.countWork = options.view == View::cost;
   if (options.view == View::cost) settings.trace.bounces = 1;
+  // Exact rays count no steps and have no error: what is of interest is the method that a GPU would use.
+  if ((options.view == View::cost || options.view == View::error) &&
+      (settings.trace.method == "auto" || settings.trace.method == "exact"))
+    settings.trace.method = "identity";
   return settings;
 }
 
@@ -50,6 +56,8 @@ FrameFigures Session::draw(const Size& window, double scale, const Options& opti
   const auto scaled = [scale](int pixels) { return std::max(1, static_cast<int>(std::lround(scale * pixels))); };
   const Size size{scaled(window.width), scaled(window.height)};
   const Camera camera = play_->camera();
+  backdrops_.clear();
+  colors_.clear();
   view_->draw(camera, settingsOf(options.settings, options), size);
   backdrops_ = {{view_->texture(), 0, options.split ? options.splitAt : 1, false}};
   if (options.split) {
@@ -79,6 +87,20 @@ std::vector<std::string> Session::status(const Options& options) const {
   return lines;
 }
 
+std::vector<std::uint8_t> Session::read() const {
+  if (!colors_.empty()) return colors_;
+  std::vector<std::uint8_t> pixels = view_->read();
+  if (backdrops_.size() < 2) return pixels;
+  const std::vector<std::uint8_t> right = second_->read();
+  const int width = view_->size().width;
+  const std::size_t row = 4 * static_cast<std::size_t>(width);
+  const auto begin = 4 * static_cast<std::size_t>(std::lround(backdrops_[1].from * static_cast<float>(width)));
+  for (std::size_t i = begin; i < pixels.size(); i += row)
+    std::copy_n(right.begin() + static_cast<std::ptrdiff_t>(i), row - begin,
+                pixels.begin() + static_cast<std::ptrdiff_t>(i));
+  return pixels;
+}
+
 void Session::showFalseColors(const Size& size, const Camera& camera, const Options& options) {
   Image exact;
   if (options.view == View::error) {
@@ -88,12 +110,12 @@ void Session::showFalseColors(const Size& size, const Camera& camera, const Opti
     exact = second().renderer().readLayers();
   }
   const Image layers = view_->renderer().readLayers();
-  const std::vector<std::uint8_t> pixels =
+  colors_ =
       falseColors(options.view, layers, exact.width > 0 ? &exact : nullptr, play_->model().scene.bounds().diagonal());
   if (!falseColors_ || falseColors_.shape().width != size.width || falseColors_.shape().height != size.height)
     falseColors_ = gl::Texture(*api_, {.format = GL_RGBA8, .width = size.width, .height = size.height}, "false colors");
   api_->TextureSubImage2D(falseColors_.name(), 0, 0, 0, size.width, size.height, GL_RGBA, GL_UNSIGNED_BYTE,
-                          pixels.data());
+                          colors_.data());
   backdrops_ = {{falseColors_.name(), 0, 1, true}};
 }
 

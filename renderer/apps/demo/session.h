@@ -21,8 +21,8 @@ class Session {
   using Proc = std::function<Renderer::Proc(const char*)>;
   Session(const gl::Api& api, Proc getProcAddress, int threads);
 
-  // Plays something else. If its scene cannot be drawn, throws Error, and what was played before goes on.
-  void play(std::unique_ptr<Play> next);
+  // Plays something else, and draws it at that size. If that fails, throws Error, and what was played before goes on.
+  void play(std::unique_ptr<Play> next, const Size& size, const Options& options);
   Play& playing() { return *play_; }
   SceneView& view() { return *view_; }
 
@@ -39,6 +39,7 @@ class Session {
   std::vector<Segment> cells(const Options& options) const;
   // What to show, in the order of drawing. Valid until the next draw().
   std::span<const Backdrop> backdrops() const { return backdrops_; }
+  std::vector<std::uint8_t> read() const;  // the same, RGBA with rows from the top; waits for the GPU
 
  private:
   Settings settingsOf(const Settings& chosen, const Options& options) const;
@@ -51,6 +52,7 @@ class Session {
   std::unique_ptr<Play> play_;
   std::unique_ptr<SceneView> view_, second_;  // after what they refer to
   gl::Texture falseColors_;
+  std::vector<std::uint8_t> colors_;  // of falseColors_; empty while the picture is shown
   std::vector<Backdrop> backdrops_;
   FrameReport report_;
   int frame_ = 0;

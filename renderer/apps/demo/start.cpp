@@ -1,11 +1,13 @@
 #include "apps/demo/start.h"
 
+#include <algorithm>
 #include <exception>
 #include <new>
 #include <span>
 #include <string_view>
 
 #include <halfsilver/error.h>
+#include <halfsilver/io.h>
 #include "apps/demo/viewer.h"
 
 namespace halfsilver::demo {
@@ -19,6 +21,25 @@ int indexOf(const char* option, const std::string& text, std::span<const char* c
     known += (i ? ", " : "") + std::string(names[i]);
   }
   throw Error(ErrorKind::usage, std::string(option) + " " + text + ": known are " + known);
+}
+
+// The request's settings with another preset or method.
+Settings rightSide(const Request& request, const Settings& left) {
+  const std::string& name = request.split;
+  const std::vector<Preset> known = presets();
+  Settings settings = left;
+  if (std::any_of(known.begin(), known.end(), [&](const Preset& preset) { return preset.name == name; })) {
+    settings = Settings();
+    applyPreset(settings, name);
+    applyOverrides(settings, request.view);
+    return settings;
+  }
+  try {
+    set(settings, "trace.method", name);
+  } catch (const Error&) {
+    throw Error(ErrorKind::usage, "--split " + name + ": there is no such preset or method");
+  }
+  return settings;
 }
 
 }  // namespace
@@ -44,7 +65,8 @@ Options firstOptions(const Request& request) {
   options.other = options.settings;
   options.other.trace.method = options.settings.trace.method == "identity" ? "none" : "identity";
   options.frameTime = request.frameTime.value_or(0);
-  options.split = request.split;
+  options.split = !request.split.empty();
+  if (options.split) options.other = rightSide(request, options.settings);
   if (!request.show.empty()) options.view = static_cast<View>(indexOf("--show", request.show, kViewNames));
   if (!request.cells.empty()) options.cells = static_cast<Cells>(indexOf("--cells", request.cells, kCellNames));
   return options;
