@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "gl/draw_state.h"
+#include "passes/changed_rectangles.h"
 #include "passes/light_list.h"
-#include "passes/view_culling.h"
 #include "shared/passes/shadow.h"
 
 namespace halfsilver {
@@ -36,12 +36,10 @@ gl::Texture makeMaps(const gl::Api& api, int resolution, int layers) {
   return maps;
 }
 
-bool mustDraw(const ShadowView& view, std::size_t number, const ShadowChange& change,
-              std::span<const ShadowView> drawn) {
-  if (change.everything || number >= drawn.size() || drawn[number] != view) return true;
-  const Frustum frustum(view.worldToClip);
-  return std::any_of(change.moved.begin(), change.moved.end(),
-                     [&](const Bounds& bounds) { return frustum.mayTouch(bounds); });
+void copy(const gl::Api& api, const gl::Texture& from, const gl::Texture& to, const glm::ivec4& rectangle, int layer,
+          int layers) {
+  api.CopyImageSubData(from.name(), GL_TEXTURE_2D_ARRAY, 0, rectangle.x, rectangle.y, layer, to.name(),
+                       GL_TEXTURE_2D_ARRAY, 0, rectangle.x, rectangle.y, layer, rectangle.z, rectangle.w, layers);
 }
 
 }  // namespace
@@ -89,36 +87,92 @@ std::vector<std::string> ShadowPass::run(const GpuScene& scene, std::span<const 
     drawn.clear();
   }
 
-  const gl::Framebuffer framebuffer(*api_);
-  out.viewsDrawn = out.trianglesDrawn = 0;
-  for (std::size_t i = 0; i < list.views.size(); ++i)
-    if (mustDraw(list.views[i], i, change, drawn)) draw(scene, list.views[i], framebuffer, out);
+  follow(scene, list.views, change, drawn, out);
   out.views = std::move(list.views);
   // The maps (depth) are fetched by shading; GL orders rendering before later fetches.
   return list.warnings;
 }
 
-void ShadowPass::draw(const GpuScene& scene, const ShadowView& view, const gl::Framebuffer& framebuffer,
-                      ShadowMaps& out) const {
-  framebuffer.attachLayer(GL_DEPTH_ATTACHMENT, out.maps, view.layer);
+void ShadowPass::follow(const GpuScene& scene, std::span<const ShadowView> views, const ShadowChange& change,
+                        std::span<const ShadowView> drawn, ShadowMaps& out) const {
+  // The views with what is out of date once something has changed in the boxes.
+  const auto outdated = [&](std::span<const Bounds> boxes) {
+    std::vector<Outdated> parts;
+    for (std::size_t i = 0; i < views.size(); ++i) {
+      const bool known = !change.everything && i < drawn.size() && drawn[i] == views[i];
+      parts.push_back({&views[i], known ? changedRectangles(views[i], boxes) : std::vector{views[i].rectangle}});
+    }
+    std::erase_if(parts, [](const Outdated& part) { return part.rectangles.empty(); });
+    return parts;
+  };
+  const std::vector<Outdated> parts = outdated(change.moved);
+  out.viewsDrawn = parts.size();
+  out.trianglesDrawn = 0;
+  const gl::Framebuffer framebuffer(*api_);
+  const std::span<const Bounds> started = scene.clusters.started();
+  if (started.empty() || 2 * out.maps.bytes() > kMaxBytes) {
+    out.still = {};
+    for (const Outdated& part : parts) redraw(scene, part, Casters::all, framebuffer, out.maps, out);
+    return;
+  }
+  const gl::Texture::Shape& shape = out.maps.shape();
+  if (!out.still) {
+    out.still = makeMaps(*api_, shape.width, shape.depth);
+    copy(*api_, out.maps, out.still, {0, 0, shape.width, shape.height}, 0, shape.depth);
+    out.startsFollowed = 0;
+  }
+  for (const Outdated& part : outdated(started.subspan(out.startsFollowed)))
+    redraw(scene, part, Casters::still, framebuffer, out.still, out);
+  out.startsFollowed = started.size();
+  // All copies at once: a software rasterizer ends its drawing for each that comes between.
+  for (const auto& [view, rectangles] : parts)
+    for (const glm::ivec4& rectangle : rectangles) copy(*api_, out.still, out.maps, rectangle, view->layer, 1);
+  for (const Outdated& part : parts) addMoving(scene, part, framebuffer, out);
+}
+
+// Clears and draws the rectangles alone: their texels become what they are when all of the view is drawn.
+void ShadowPass::redraw(const GpuScene& scene, const Outdated& part, Casters casters,
+                        const gl::Framebuffer& framebuffer, const gl::Texture& maps, ShadowMaps& out) const {
+  begin(*part.view, framebuffer, maps);
+  api_->Enable(GL_SCISSOR_TEST);
+  for (const glm::ivec4& rectangle : part.rectangles) {
+    api_->Scissor(rectangle.x, rectangle.y, rectangle.z, rectangle.w);
+    const float farthest = 1;
+    api_->ClearNamedFramebufferfv(framebuffer.name(), GL_DEPTH, 0, &farthest);
+    const Frustum frustum(clipTo(*part.view, rectangle));
+    draw(scene, *part.view, visibleRuns(scene.clusters.all(), casters, {&frustum, 1}), out);
+  }
+  api_->Disable(GL_SCISSOR_TEST);
+}
+
+// The rest of the casters, into rectangles that hold what is still. What they cover beside them is there already, and
+// stays: depth knows no order.
+void ShadowPass::addMoving(const GpuScene& scene, const Outdated& part, const gl::Framebuffer& framebuffer,
+                           ShadowMaps& out) const {
+  std::vector<Frustum> frusta;
+  for (const glm::ivec4& rectangle : part.rectangles) frusta.emplace_back(clipTo(*part.view, rectangle));
+  const VisibleRuns runs = visibleRuns(scene.clusters.all(), Casters::moving, frusta);
+  if (runs.opaque.firsts.empty() && runs.cut.firsts.empty()) return;
+  begin(*part.view, framebuffer, out.maps);
+  draw(scene, *part.view, runs, out);
+}
+
+void ShadowPass::begin(const ShadowView& view, const gl::Framebuffer& framebuffer, const gl::Texture& maps) const {
+  framebuffer.attachLayer(GL_DEPTH_ATTACHMENT, maps, view.layer);
   framebuffer.bind();
   vertexArray_.bind();
   const gl::DrawState state{.viewport = view.rectangle, .depthTest = true, .depthWrite = true, .colorWrite = false};
   state.apply(*api_);
-  // Other views share the layer.
-  api_->Enable(GL_SCISSOR_TEST);
-  api_->Scissor(view.rectangle.x, view.rectangle.y, view.rectangle.z, view.rectangle.w);
-  const float farthest = 1;
-  api_->ClearNamedFramebufferfv(framebuffer.name(), GL_DEPTH, 0, &farthest);
-  api_->Disable(GL_SCISSOR_TEST);
-  drawOpaque(scene, view, out);
-  drawCut(scene, view, out);
-  ++out.viewsDrawn;
+}
+
+void ShadowPass::draw(const GpuScene& scene, const ShadowView& view, const VisibleRuns& runs, ShadowMaps& out) const {
+  drawOpaque(scene, view, runs.opaque);
+  drawCut(scene, view, runs.cut);
+  out.trianglesDrawn += runs.opaque.triangles + runs.cut.triangles;
 }
 
 // Vertices that triangles share are transformed once.
-void ShadowPass::drawOpaque(const GpuScene& scene, const ShadowView& view, ShadowMaps& out) const {
-  const VertexRuns runs = visibleRuns(scene.clusters.all(), Frustum(view.worldToClip), false);
+void ShadowPass::drawOpaque(const GpuScene& scene, const ShadowView& view, const VertexRuns& runs) const {
   if (runs.firsts.empty()) return;
   std::vector<const void*> offsets;  // into the bound indices, as GL wants them
   for (const std::int32_t first : runs.firsts)
@@ -129,18 +183,15 @@ void ShadowPass::drawOpaque(const GpuScene& scene, const ShadowView& view, Shado
   api_->BindBuffer(GL_ELEMENT_ARRAY_BUFFER, scene.indices.name());
   api_->MultiDrawElements(GL_TRIANGLES, runs.counts.data(), GL_UNSIGNED_INT, offsets.data(),
                           static_cast<GLsizei>(runs.counts.size()));
-  out.trianglesDrawn += runs.triangles;
 }
 
-void ShadowPass::drawCut(const GpuScene& scene, const ShadowView& view, ShadowMaps& out) const {
-  const VertexRuns runs = visibleRuns(scene.clusters.all(), Frustum(view.worldToClip), true);
+void ShadowPass::drawCut(const GpuScene& scene, const ShadowView& view, const VertexRuns& runs) const {
   if (runs.firsts.empty()) return;
   cut_.use();
   cut_.set("worldToClip", view.worldToClip);
   scene.bindSurfaces();
   scene.drawList.bindStorage(SSBO_DRAW_LIST);
   api_->MultiDrawArrays(GL_TRIANGLES, runs.firsts.data(), runs.counts.data(), static_cast<GLsizei>(runs.counts.size()));
-  out.trianglesDrawn += runs.triangles;
 }
 
 }  // namespace halfsilver

@@ -10,6 +10,7 @@
 #include <halfsilver/settings.h>
 #include "gl/framebuffer.h"
 #include "gl/program.h"
+#include "passes/view_culling.h"
 
 namespace halfsilver {
 
@@ -28,8 +29,8 @@ struct ShadowChange {
 //
 // One depth array with hardware comparison holds all maps (see light_list.h for who gets which part). Both faces of
 // all triangles cast shadows, whatever the camera may see; shaders compare against the receiver's plane
-// (lib/shadow_maps.glsl), so the maps need no depth offset. A view draws only clusters of triangles that it may see,
-// and is drawn again only if it is another one or something moved in it.
+// (lib/shadow_maps.glsl), so the maps need no depth offset. A view draws only clusters of triangles that it may see.
+// Once drawn it is drawn again where something has moved, and as a whole only if it is another view than before.
 class ShadowPass {
  public:
   explicit ShadowPass(const gl::Api& api);
@@ -41,9 +42,21 @@ class ShadowPass {
                                gl::Profiler& profiler) const;
 
  private:
-  void draw(const GpuScene& scene, const ShadowView& view, const gl::Framebuffer& framebuffer, ShadowMaps& out) const;
-  void drawOpaque(const GpuScene& scene, const ShadowView& view, ShadowMaps& out) const;
-  void drawCut(const GpuScene& scene, const ShadowView& view, ShadowMaps& out) const;
+  // A view with the parts of it that are out of date, in texels of its layer.
+  struct Outdated {
+    const ShadowView* view;
+    std::vector<glm::ivec4> rectangles;
+  };
+  void follow(const GpuScene& scene, std::span<const ShadowView> views, const ShadowChange& change,
+              std::span<const ShadowView> drawn, ShadowMaps& out) const;
+  void redraw(const GpuScene& scene, const Outdated& part, Casters casters, const gl::Framebuffer& framebuffer,
+              const gl::Texture& maps, ShadowMaps& out) const;
+  void addMoving(const GpuScene& scene, const Outdated& part, const gl::Framebuffer& framebuffer,
+                 ShadowMaps& out) const;
+  void begin(const ShadowView& view, const gl::Framebuffer& framebuffer, const gl::Texture& maps) const;
+  void draw(const GpuScene& scene, const ShadowView& view, const VisibleRuns& runs, ShadowMaps& out) const;
+  void drawOpaque(const GpuScene& scene, const ShadowView& view, const VertexRuns& runs) const;
+  void drawCut(const GpuScene& scene, const ShadowView& view, const VertexRuns& runs) const;
 
   const gl::Api* api_;
   gl::Program opaque_, cut_;

@@ -1,5 +1,7 @@
 #include "passes/view_culling.h"
 
+#include <algorithm>
+
 namespace halfsilver {
 
 Frustum::Frustum(const glm::mat4& worldToClip) {
@@ -16,30 +18,32 @@ bool Frustum::mayTouch(const Bounds& bounds) const {
   for (const glm::vec4& plane : planes_) {
     const glm::vec3 normal(plane);
     const glm::vec3 farthest = glm::mix(bounds.low, bounds.high, glm::greaterThan(normal, glm::vec3(0)));
-    // The device rounds, too: what lies beside the view by less than that is drawn.
-    constexpr float kRounding = 1e-5f;
-    const float slack = kRounding * (glm::dot(glm::abs(normal), largest) + std::abs(plane.w));
+    const float slack = kClipRounding * (glm::dot(glm::abs(normal), largest) + std::abs(plane.w));
     if (glm::dot(normal, farthest) + plane.w < -slack) return false;
   }
   return true;
 }
 
-VertexRuns visibleRuns(std::span<const DrawCluster> clusters, const Frustum& frustum, bool cut) {
-  VertexRuns runs;
-  std::uint32_t end = 0;  // of the last run, triangles
-  for (const DrawCluster& cluster : clusters) {
-    if (cluster.cut != cut || !frustum.mayTouch(cluster.bounds)) continue;
-    const auto vertices = static_cast<std::int32_t>(3 * cluster.count);
-    if (!runs.firsts.empty() && end == cluster.first) {
-      runs.counts.back() += vertices;
-    } else {
-      runs.firsts.push_back(static_cast<std::int32_t>(3 * cluster.first));
-      runs.counts.push_back(vertices);
-    }
-    end = cluster.first + cluster.count;
-    runs.triangles += cluster.count;
+void VertexRuns::add(const DrawCluster& cluster) {
+  const auto first = static_cast<std::int32_t>(3 * cluster.first);
+  const auto count = static_cast<std::int32_t>(3 * cluster.count);
+  triangles += cluster.count;
+  if (!firsts.empty() && firsts.back() + counts.back() == first) {
+    counts.back() += count;
+    return;
   }
-  return runs;
+  firsts.push_back(first);
+  counts.push_back(count);
+}
+
+VisibleRuns visibleRuns(std::span<const DrawCluster> clusters, Casters casters, std::span<const Frustum> frusta) {
+  VisibleRuns visible;
+  for (const DrawCluster& cluster : clusters) {
+    if (casters != Casters::all && cluster.moves != (casters == Casters::moving)) continue;
+    if (std::any_of(frusta.begin(), frusta.end(), [&](const Frustum& f) { return f.mayTouch(cluster.bounds); }))
+      (cluster.cut ? visible.cut : visible.opaque).add(cluster);
+  }
+  return visible;
 }
 
 }  // namespace halfsilver

@@ -11,6 +11,10 @@
 
 namespace halfsilver {
 
+// Of clip coordinates, relative to the sum of their terms: a device rounds, too, and may draw what is beside a view by
+// less than that.
+inline constexpr float kClipRounding = 1e-5f;
+
 // The space that a view of clip coordinates -w..w sees.
 class Frustum {
  public:
@@ -27,9 +31,17 @@ class Frustum {
 struct VertexRuns {
   std::vector<std::int32_t> firsts, counts;
   std::size_t triangles = 0;
+
+  void add(const DrawCluster& cluster);  // joined with the last one if it follows that
 };
 
-// The clusters that a view may see, those that follow one another joined.
-VertexRuns visibleRuns(std::span<const DrawCluster> clusters, const Frustum& frustum, bool cut);
+struct VisibleRuns {
+  VertexRuns opaque, cut;
+};
+
+enum class Casters { all, still, moving };  // see DrawCluster::moves
+
+// The clusters that one of the frusta may see.
+VisibleRuns visibleRuns(std::span<const DrawCluster> clusters, Casters casters, std::span<const Frustum> frusta);
 
 }  // namespace halfsilver

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "scene/vertex_ranges.h"
@@ -9,16 +10,44 @@
 namespace halfsilver {
 namespace {
 
-void measure(const Scene& scene, std::span<const std::uint32_t> triangles, DrawCluster& cluster) {
+void measure(const Scene& scene, std::span<const std::uint32_t> drawList, DrawCluster& cluster) {
   cluster.bounds = Bounds();
   cluster.firstVertex = std::numeric_limits<std::uint32_t>::max();
   cluster.lastVertex = 0;
-  for (const std::uint32_t triangle : triangles)
+  for (const std::uint32_t triangle : drawList.subspan(cluster.first, cluster.count))
     for (const std::uint32_t vertex : scene.triangles[triangle].vertices) {
       cluster.bounds.add(scene.vertices[vertex].position);
       cluster.firstVertex = std::min(cluster.firstVertex, vertex);
       cluster.lastVertex = std::max(cluster.lastVertex, vertex);
     }
+}
+
+// The first range that holds a vertex of the triangle, or none of them.
+std::optional<std::size_t> rangeOf(std::span<const VertexRange> ranges, const Triangle& triangle) {
+  for (const std::uint32_t vertex : triangle.vertices)
+    if (const std::size_t range = firstRangeFrom(ranges, vertex);
+        range < ranges.size() && ranges[range].first <= vertex)
+      return range;
+  return std::nullopt;
+}
+
+// The cluster in pieces that move with one range each or with none.
+std::vector<DrawCluster> split(const Scene& scene, std::span<const std::uint32_t> drawList,
+                               std::span<const VertexRange> ranges, const DrawCluster& cluster) {
+  std::vector<DrawCluster> pieces;
+  std::optional<std::size_t> last;
+  for (std::uint32_t i = cluster.first; i < cluster.first + cluster.count; ++i) {
+    const std::optional<std::size_t> range = rangeOf(ranges, scene.triangles[drawList[i]]);
+    if (pieces.empty() || range != last) {
+      DrawCluster& piece = pieces.emplace_back();
+      piece.first = i;
+      piece.cut = cluster.cut;
+      piece.moves = range.has_value();
+      last = range;
+    }
+    ++pieces.back().count;
+  }
+  return pieces;
 }
 
 }  // namespace
@@ -31,19 +60,32 @@ DrawClusters::DrawClusters(const Scene& scene, std::vector<std::uint32_t> drawLi
       cluster.first = range.first + done;
       cluster.count = std::min(kTriangles, range.count - done);
       cluster.cut = range.cut;
-      measure(scene, std::span(drawList_).subspan(cluster.first, cluster.count), cluster);
+      measure(scene, drawList_, cluster);
     }
 }
 
 std::vector<Bounds> DrawClusters::update(const Scene& scene, std::span<const VertexRange> moved) {
   const std::vector<VertexRange> ranges = mergeRanges(moved);
+  std::vector<DrawCluster> clusters;
+  clusters.reserve(clusters_.size());
   std::vector<Bounds> touched;
-  for (DrawCluster& cluster : clusters_) {
-    if (!touchesRange(ranges, cluster.firstVertex, cluster.lastVertex)) continue;
-    touched.push_back(cluster.bounds);
-    measure(scene, std::span(drawList_).subspan(cluster.first, cluster.count), cluster);
-    touched.push_back(cluster.bounds);
+  for (const DrawCluster& cluster : clusters_) {
+    if (!touchesRange(ranges, cluster.firstVertex, cluster.lastVertex)) {
+      clusters.push_back(cluster);
+      continue;
+    }
+    const std::vector<DrawCluster> pieces =
+        cluster.moves ? std::vector<DrawCluster>{cluster} : split(scene, drawList_, ranges, cluster);
+    const bool moves = std::any_of(pieces.begin(), pieces.end(), [](const DrawCluster& piece) { return piece.moves; });
+    if (moves) touched.push_back(cluster.bounds);
+    if (moves && !cluster.moves) started_.push_back(cluster.bounds);
+    for (DrawCluster piece : pieces) {
+      measure(scene, drawList_, piece);
+      if (piece.moves) touched.push_back(piece.bounds);
+      clusters.push_back(piece);
+    }
   }
+  clusters_ = std::move(clusters);
   return touched;
 }
 

@@ -8,7 +8,7 @@ std::vector<VertexRange> mergeRanges(std::span<const VertexRange> ranges) {
   std::sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<VertexRange> merged;
   for (const VertexRange& range : sorted) {
-    if (merged.empty() || range.first > merged.back().first + merged.back().count)
+    if (merged.empty() || range.first >= merged.back().first + merged.back().count)
       merged.push_back(range);
     else
       merged.back().count = std::max(merged.back().count, range.first + range.count - merged.back().first);

@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <glm/gtc/constants.hpp>
+#include <memory>
+#include <random>
 
 #include "gpu/light_fixture.h"
 
@@ -253,6 +255,70 @@ TEST_F(ShadowViewsTest, AreDrawnAgainIfSomethingMovedInThem) {
   for (std::uint32_t v = 0; v < plate.count; ++v) scene.vertices[v].position += vec3(-1, 1.5f, 0);
   moved = updateScene(api, gpu, scene, {.moved = {plate}});
   expectFresh(drawn(scene, {.everything = false, .moved = moved}, maps));
+}
+
+// Plates that move one at a time or together, by a little or across the room; with a lamp that moves now and then.
+TEST_F(ShadowViewsTest, HoldAfterAnyMovesWhatFreshMapsDo) {
+  Scene scene = roomOfPlates();
+  auto leaf = std::make_shared<Texture>();
+  leaf->width = leaf->height = 8;
+  for (std::size_t i = 0; i < 64; ++i)
+    for (const int value : {255, 255, 255, i % 3 ? 255 : 0}) leaf->texels.push_back(static_cast<std::uint8_t>(value));
+  scene.textures = {leaf};
+  Material holes = scene.materials[0];
+  holes.alphaMode = AlphaMode::mask;
+  holes.baseColorTexture.texture = 0;
+  const std::uint32_t leaves = addMaterial(scene, holes);
+  for (std::size_t t = 0; t < 700; ++t) scene.triangles[t].material = leaves;  // a plate and a part of the next
+  gpu = uploadScene(api, scene);
+  ShadowMaps maps;
+  std::vector<float> last = drawn(scene, {}, maps);
+  const std::size_t stillBytes = maps.bytes();
+
+  std::mt19937 random(11);
+  std::uniform_real_distribution<float> small(-0.1f, 0.1f), large(-1.5f, 1.5f);
+  std::size_t different = 0;
+  for (int move = 0; move < 50; ++move) {
+    SCOPED_TRACE(move);
+    SceneChange change;
+    for (std::uint32_t plate = 0; plate < 6; ++plate) {
+      if (random() % 3) continue;
+      // Now and then a part of a plate, which splits its clusters.
+      VertexRange range{1024 * plate, 1024};
+      if (random() % 4 == 0) range = {range.first + 4 * static_cast<std::uint32_t>(random() % 100), 300};
+      auto& by = random() % 4 ? small : large;
+      const vec3 shift(by(random), by(random), by(random));
+      for (std::uint32_t v = range.first; v < range.first + range.count; ++v) scene.vertices[v].position += shift;
+      change.moved.push_back(range);
+    }
+    if (move % 10 == 9) scene.lights[0].position += vec3(small(random));
+    ShadowChange moved{.everything = false, .moved = {}};
+    moved.add(updateScene(api, gpu, scene, change));
+    const std::vector<float> depth = drawn(scene, moved, maps);
+    ShadowMaps fresh;
+    ASSERT_TRUE(depth == drawn(scene, {}, fresh));
+    different += depth != last;
+    last = depth;
+  }
+  EXPECT_GT(different, 40u);
+  EXPECT_GT(maps.bytes(), stillBytes);
+}
+
+TEST_F(ShadowViewsTest, DrawOfAMoveWhatMovesAlone) {
+  Scene scene = roomOfPlates();
+  gpu = uploadScene(api, scene);
+  ShadowMaps maps;
+  drawn(scene, {}, maps);
+  EXPECT_FALSE(maps.still) << "nothing has moved yet";
+  for (int move = 0; move < 3; ++move) {
+    for (std::uint32_t v = 0; v < 1024; ++v) scene.vertices[v].position.y += 0.05f;
+    drawn(scene, {.everything = false, .moved = updateScene(api, gpu, scene, {.moved = {{0, 1024}}})}, maps);
+    EXPECT_EQ(maps.viewsDrawn, 1u + 1 + 4) << "the lamp's side, the sun and the sky";
+    if (move > 0) {
+      EXPECT_EQ(maps.trianglesDrawn, (1 + 1 + 4) * 512u) << "the plate, but for the first move";
+    }
+  }
+  EXPECT_EQ(maps.still.bytes(), maps.maps.bytes());
 }
 
 TEST_F(ShadowViewsTest, ManyMovesBecomeOneBoxAroundThem) {

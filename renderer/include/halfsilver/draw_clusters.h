@@ -22,11 +22,13 @@ struct DrawRange {
 struct DrawCluster {
   std::uint32_t first = 0, count = 0;  // triangles of the draw list
   bool cut = false;
+  bool moves = false;  // has moved since the scene was uploaded
   Bounds bounds;
   std::uint32_t firstVertex = 0, lastVertex = 0;  // all that it uses lie between, inclusive
 };
 
-// The draw list in clusters of neighbors: triangles keep the scene's order within a range.
+// The draw list in clusters of neighbors: triangles keep the scene's order within a range. A cluster of which a part
+// moves is split, so that what moves has clusters of its own, with bounds of its own.
 class DrawClusters {
  public:
   static constexpr std::uint32_t kTriangles = 256;
@@ -39,11 +41,14 @@ class DrawClusters {
   std::vector<Bounds> update(const Scene& scene, std::span<const VertexRange> moved);
 
   std::span<const DrawCluster> all() const { return clusters_; }
+  // Where clusters were before they moved for the first time, one after the other.
+  std::span<const Bounds> started() const { return started_; }
   std::span<const std::uint32_t> drawList() const { return drawList_; }  // numbers of triangles
 
  private:
   std::vector<std::uint32_t> drawList_;
   std::vector<DrawCluster> clusters_;
+  std::vector<Bounds> started_;
 };
 
 }  // namespace halfsilver

@@ -59,10 +59,13 @@ struct ShadowMaps {
   LightRanges ranges;
   gl::Texture maps;               // depth array
   std::vector<ShadowView> views;  // what the maps hold
+  // The same maps of what has never moved, from the first move on, so that a move costs what moves.
+  gl::Texture still;
+  std::size_t startsFollowed = 0;  // entries of DrawClusters::started() that `still` knows of
   // Of the last run of the shadow pass.
   std::size_t viewsDrawn = 0, trianglesDrawn = 0;
 
-  std::size_t bytes() const { return lights.bytes() + maps.bytes(); }
+  std::size_t bytes() const { return lights.bytes() + maps.bytes() + still.bytes(); }
   void bind() const;  // UNIT_LIGHTS, UNIT_SHADOW_MAPS
 };
 

@@ -53,6 +53,7 @@
   X(PFNGLCLEARNAMEDBUFFERDATAPROC, ClearNamedBufferData)                 \
   X(PFNGLCLEARNAMEDBUFFERSUBDATAPROC, ClearNamedBufferSubData)           \
   X(PFNGLCOPYNAMEDBUFFERSUBDATAPROC, CopyNamedBufferSubData)             \
+  X(PFNGLCOPYIMAGESUBDATAPROC, CopyImageSubData)                         \
   X(PFNGLMAPNAMEDBUFFERRANGEPROC, MapNamedBufferRange)                   \
   X(PFNGLFENCESYNCPROC, FenceSync)                                       \
   X(PFNGLDELETESYNCPROC, DeleteSync)                                     \
