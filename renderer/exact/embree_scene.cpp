@@ -1,5 +1,6 @@
 #include "exact/embree_scene.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
 
@@ -16,21 +17,26 @@ constexpr std::size_t kPacket = 8;
 // Of two directions in a packet. Rays of a flat mirror's neighboring pixels are far closer together; those that a bumpy
 // one scatters are faster alone.
 constexpr float kMinCosine = 0.998f;
+// Triangles that have moved stay in the hierarchy of those that have not, as ghosts that no ray sees, until there is
+// one to this many others.
+constexpr std::size_t kGhosts = 8;
 
 // What the filter needs to know of the rays and writes of their hits; Embree hands the context through.
 struct RayContext : RTCIntersectContext {
   const Scene* scene = nullptr;
+  const EmbreeParts* parts = nullptr;
   bool cullBackFaces = true;
   const Ray* rays = nullptr;  // by RTCRay::id
   Hit* accepted = nullptr;    // likewise
 };
 
-RayContext makeContext(const Scene& scene, const RayQuery& query, const Ray* rays, Hit* accepted,
-                       RTCFilterFunctionN filter) {
+RayContext makeContext(const Scene& scene, const EmbreeParts& parts, const RayQuery& query, const Ray* rays,
+                       Hit* accepted, RTCFilterFunctionN filter) {
   RayContext context;
   rtcInitIntersectContext(&context);
   context.filter = filter;
   context.scene = &scene;
+  context.parts = &parts;
   context.cullBackFaces = query.cullBackFaces;
   context.rays = rays;
   context.accepted = accepted;
@@ -59,12 +65,14 @@ void filter(const RTCFilterFunctionNArguments* arguments) {
   for (unsigned lane = 0; lane < lanes; ++lane) {
     if (arguments->valid[lane] == 0) continue;
     const unsigned id = RTCRayN_id(arguments->ray, lanes, lane);
-    const std::uint32_t number = RTCHitN_primID(arguments->hit, lanes, lane);
+    const unsigned geometry = RTCHitN_geomID(arguments->hit, lanes, lane);
+    const std::uint32_t number = context.parts->number(geometry, RTCHitN_primID(arguments->hit, lanes, lane));
     const float t = RTCRayN_tfar(arguments->ray, lanes, lane);
     const glm::vec2 barycentrics(RTCHitN_u(arguments->hit, lanes, lane), RTCHitN_v(arguments->hit, lanes, lane));
     Hit& accepted = context.accepted[id];
     const bool tied = accepted.t == t && accepted.triangle < number;
-    if (!tied && visible(context, context.rays[id], number, barycentrics))
+    const bool ghost = geometry == EmbreeParts::kStill && context.parts->moves[number];
+    if (!tied && !ghost && visible(context, context.rays[id], number, barycentrics))
       accepted = {t, number, barycentrics.x, barycentrics.y};
     else
       arguments->valid[lane] = 0;
@@ -91,26 +99,109 @@ EmbreeScene::EmbreeScene(const Scene& scene, unsigned threads)
   packets_ = rtcGetDeviceProperty(device_.get(), RTC_DEVICE_PROPERTY_NATIVE_RAY8_SUPPORTED) != 0;
 }
 
-void EmbreeScene::build(Quality quality) {
-  const RTCBuildQuality wanted = quality == Quality::fastTrace ? RTC_BUILD_QUALITY_MEDIUM : RTC_BUILD_QUALITY_LOW;
-  scene_.reset();  // its memory goes before the new one's comes
-  std::unique_ptr<RTCSceneTy, SceneRelease> scene(rtcNewScene(device_.get()));
-  rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
-  rtcSetSceneBuildQuality(scene.get(), wanted);
-  RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
-  rtcSetGeometryBuildQuality(geometry, wanted);
-  // The scene's own arrays; Vertex is larger than the 16 bytes that Embree reads at each position.
-  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, source_->vertices.data(),
+std::uint64_t EmbreeScene::bytes() const {
+  const std::size_t numbers =
+      parts_.still.capacity() + parts_.moving.capacity() + stillIndices_.capacity() + movingIndices_.capacity();
+  return static_cast<std::uint64_t>(std::max<std::int64_t>(0, bytes_.load())) + numbers * sizeof(std::uint32_t) +
+         (parts_.moves.capacity() + movedVertices_.capacity()) / 8;
+}
+
+EmbreeScene::Geometry EmbreeScene::makeGeometry(RTCBuildQuality quality) const {
+  Geometry geometry(rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE));
+  rtcSetGeometryBuildQuality(geometry.get(), quality);
+  // The scene's own array; Vertex is larger than the 16 bytes that Embree reads at each position.
+  rtcSetSharedGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, source_->vertices.data(),
                              offsetof(Vertex, position), sizeof(Vertex), source_->vertices.size());
-  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, source_->triangles.data(),
-                             offsetof(Triangle, vertices), sizeof(Triangle), source_->triangles.size());
-  rtcCommitGeometry(geometry);
-  rtcAttachGeometry(scene.get(), geometry);
-  rtcReleaseGeometry(geometry);
-  rtcCommitScene(scene.get());
-  if (rtcGetDeviceError(device_.get()) != RTC_ERROR_NONE)
-    throw Error(ErrorKind::failed, "Embree cannot build the scene");
+  return geometry;
+}
+
+void EmbreeScene::build() {
+  scene_.reset();  // its memory goes before the new one's comes
+  moving_.reset();
+  parts_ = {};
+  parts_.moves.resize(source_->triangles.size());
+  movedVertices_.assign(source_->vertices.size(), false);
+  std::unique_ptr<RTCSceneTy, SceneRelease> scene(rtcNewScene(device_.get()));
+  rtcSetSceneFlags(scene.get(),
+                   RTC_SCENE_FLAG_DYNAMIC | RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
+  // Hierarchies of geometries are joined; of one geometry it is the one that the geometry asks for.
+  rtcSetSceneBuildQuality(scene.get(), RTC_BUILD_QUALITY_LOW);
   scene_ = std::move(scene);
+  makeStill();
+  commit();
+}
+
+// The geometry of what has not moved.
+void EmbreeScene::makeStill() {
+  ghosts_ = 0;
+  const Geometry still = makeGeometry(RTC_BUILD_QUALITY_MEDIUM);
+  if (parts_.moving.empty()) {
+    rtcSetSharedGeometryBuffer(still.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, source_->triangles.data(),
+                               offsetof(Triangle, vertices), sizeof(Triangle), source_->triangles.size());
+  } else {
+    rtcDetachGeometry(scene_.get(), EmbreeParts::kStill);
+    parts_.still.clear();
+    for (std::size_t t = 0; t < parts_.moves.size(); ++t)
+      if (!parts_.moves[t]) parts_.still.push_back(static_cast<std::uint32_t>(t));
+    if (parts_.still.empty()) return;
+    setIndices(still, parts_.still, stillIndices_);
+  }
+  rtcCommitGeometry(still.get());
+  rtcAttachGeometryByID(scene_.get(), still.get(), EmbreeParts::kStill);
+}
+
+void EmbreeScene::follow(std::span<const VertexRange> moved) {
+  if (noteMoves(moved)) {
+    if (moving_) rtcDetachGeometry(scene_.get(), EmbreeParts::kMoving);
+    moving_ = makeGeometry(RTC_BUILD_QUALITY_LOW);
+    rtcAttachGeometryByID(scene_.get(), moving_.get(), EmbreeParts::kMoving);
+    if (kGhosts * ghosts_ > parts_.moves.size() - parts_.moving.size()) makeStill();
+  }
+  if (!moving_) return;
+  setIndices(moving_, parts_.moving, movingIndices_);
+  rtcUpdateGeometryBuffer(moving_.get(), RTC_BUFFER_TYPE_VERTEX, 0);
+  rtcCommitGeometry(moving_.get());
+  commit();
+}
+
+// Returns whether triangles moved that had not moved before.
+bool EmbreeScene::noteMoves(std::span<const VertexRange> moved) {
+  bool first = false;
+  for (const VertexRange& range : moved)
+    for (std::uint32_t vertex = range.first; vertex < range.first + range.count; ++vertex) {
+      first |= !movedVertices_[vertex];
+      movedVertices_[vertex] = true;
+    }
+  if (!first) return false;
+  const std::size_t before = parts_.moving.size();
+  parts_.moving.clear();
+  for (std::size_t t = 0; t < source_->triangles.size(); ++t) {
+    const auto& vertices = source_->triangles[t].vertices;
+    if (!std::any_of(vertices.begin(), vertices.end(), [this](std::uint32_t v) { return movedVertices_[v]; })) continue;
+    parts_.moves[t] = true;
+    parts_.moving.push_back(static_cast<std::uint32_t>(t));
+  }
+  ghosts_ += parts_.moving.size() - before;
+  return parts_.moving.size() > before;
+}
+
+// The vertices of the numbered triangles as they are now, into memory that Embree reads in place.
+void EmbreeScene::setIndices(const Geometry& geometry, std::span<const std::uint32_t> numbers,
+                             std::vector<std::uint32_t>& indices) const {
+  indices.clear();
+  for (const std::uint32_t number : numbers) {
+    const auto& vertices = source_->triangles[number].vertices;
+    indices.insert(indices.end(), vertices.begin(), vertices.end());
+  }
+  rtcSetSharedGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, indices.data(), 0,
+                             3 * sizeof(std::uint32_t), numbers.size());
+}
+
+void EmbreeScene::commit() {
+  rtcCommitScene(scene_.get());
+  if (rtcGetDeviceError(device_.get()) == RTC_ERROR_NONE) return;
+  scene_.reset();
+  throw Error(ErrorKind::failed, "Embree cannot build the scene");
 }
 
 void EmbreeScene::trace(std::span<const Ray> rays, const RayQuery& query, std::span<Hit> hits) const {
@@ -127,7 +218,7 @@ void EmbreeScene::trace(std::span<const Ray> rays, const RayQuery& query, std::s
 
 void EmbreeScene::traceOne(const Ray& ray, const RayQuery& query, Hit& hit) const {
   hit = {HIT_MISS, NO_TRIANGLE, 0, 0};
-  RayContext context = makeContext(*source_, query, &ray, &hit, filter);
+  RayContext context = makeContext(*source_, parts_, query, &ray, &hit, filter);
   RTCRayHit one{};
   one.ray.org_x = ray.origin.x;
   one.ray.org_y = ray.origin.y;
@@ -146,7 +237,7 @@ void EmbreeScene::traceOne(const Ray& ray, const RayQuery& query, Hit& hit) cons
 }
 
 void EmbreeScene::tracePacket(const Ray* rays, const RayQuery& query, Hit* hits) const {
-  RayContext context = makeContext(*source_, query, rays, hits, filter);
+  RayContext context = makeContext(*source_, parts_, query, rays, hits, filter);
   context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
   RTCRayHit8 packet;
   alignas(32) int valid[kPacket];

@@ -7,7 +7,9 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <vector>
 
+#include <halfsilver/model.h>
 #include <halfsilver/scene.h>
 #include <halfsilver/shared_structs.h>
 
@@ -20,16 +22,32 @@ struct RayQuery {
   bool any = false;  // any hit will do
 };
 
-// The scene's triangles in Embree's hierarchy, which refers to the scene's own arrays.
+// The triangles of the source that Embree's geometries hold, by the numbers that it gives them.
+struct EmbreeParts {
+  static constexpr unsigned kStill = 0, kMoving = 1;  // names of the geometries
+
+  std::vector<std::uint32_t> still;  // empty: all of the source
+  std::vector<std::uint32_t> moving;
+  std::vector<bool> moves;  // by triangle of the source
+
+  std::uint32_t number(unsigned geometry, unsigned primitive) const {
+    if (geometry == kMoving) return moving[primitive];
+    return still.empty() ? primitive : still[primitive];
+  }
+};
+
+// The scene's triangles in Embree's hierarchy. What has never moved since build() is one geometry, with a hierarchy
+// that is made to trace fast; what has is another, with one that is made fast. Embree joins the two by their upper
+// nodes, so that a ray has one way to go.
 class EmbreeScene {
  public:
   EmbreeScene(const Scene& scene, unsigned threads);  // of builds
 
-  enum class Quality { fastTrace, fastBuild };
-  // Throws Error (failed).
-  void build(Quality quality);
+  // Both throw Error (failed).
+  void build();
+  void follow(std::span<const VertexRange> moved);  // and triangles that turned with them
   bool ready() const { return scene_ != nullptr; }  // the last build succeeded
-  std::uint64_t bytes() const { return static_cast<std::uint64_t>(std::max<std::int64_t>(0, bytes_.load())); }
+  std::uint64_t bytes() const;
 
   // Writes a hit for each ray. Neighbors that go the same way are traced together, which changes no bit of a hit: the
   // nearest triangle wins, and of several at one distance the one with the lowest number. Any number of threads may.
@@ -42,6 +60,17 @@ class EmbreeScene {
   struct SceneRelease {
     void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
   };
+  struct GeometryRelease {
+    void operator()(RTCGeometry geometry) const { rtcReleaseGeometry(geometry); }
+  };
+  using Geometry = std::unique_ptr<RTCGeometryTy, GeometryRelease>;
+
+  Geometry makeGeometry(RTCBuildQuality quality) const;
+  void makeStill();
+  bool noteMoves(std::span<const VertexRange> moved);
+  void setIndices(const Geometry& geometry, std::span<const std::uint32_t> numbers,
+                  std::vector<std::uint32_t>& indices) const;
+  void commit();
   void traceOne(const shared::Ray& ray, const RayQuery& query, shared::Hit& hit) const;
   void tracePacket(const shared::Ray* rays, const RayQuery& query, shared::Hit* hits) const;
 
@@ -49,7 +78,12 @@ class EmbreeScene {
   std::atomic<std::int64_t> bytes_{0};
   std::unique_ptr<RTCDeviceTy, DeviceRelease> device_;
   std::unique_ptr<RTCSceneTy, SceneRelease> scene_;
-  bool packets_ = false;  // this processor has vectors for them
+  Geometry moving_;
+  EmbreeParts parts_;
+  std::vector<bool> movedVertices_;
+  std::vector<std::uint32_t> stillIndices_, movingIndices_;  // which Embree reads in place
+  std::size_t ghosts_ = 0;  // triangles of the still geometry that have moved since it was made
+  bool packets_ = false;    // this processor has vectors for them
 };
 
 }  // namespace halfsilver

@@ -31,8 +31,10 @@ class ExactTracer final : public Tracer {
     const auto scope = view.profiler.hostSection("build");
     built_ = false;  // until nothing has failed
     waitForJobs();
-    // What moves will move again: a hierarchy that is made faster than it traces. Refitting the old one is no faster.
-    scene_.build(kept ? EmbreeScene::Quality::fastBuild : EmbreeScene::Quality::fastTrace);
+    if (kept)
+      scene_.follow(change.moved);
+    else
+      scene_.build();
     built_ = true;
   }
 

@@ -54,7 +54,7 @@ std::vector<Ray> bundle(std::size_t count) {
 
 std::vector<Hit> traced(const Scene& scene, const std::vector<Ray>& rays, std::size_t atOnce, bool any = false) {
   EmbreeScene embree(scene, 1);
-  embree.build(EmbreeScene::Quality::fastTrace);
+  embree.build();
   std::vector<Hit> hits(rays.size());
   for (std::size_t i = 0; i < rays.size(); i += atOnce) {
     const std::size_t count = std::min(atOnce, rays.size() - i);
@@ -97,6 +97,62 @@ TEST(ExactRays, OfTrianglesAtOneDistanceTheLowestNumberIsHit) {
   for (Ray& ray : rays) ray.excluded = 500;
   for (const std::size_t atOnce : {1u, 512u})
     for (const Hit& hit : traced(scene, rays, atOnce)) EXPECT_EQ(hit.triangle, 501u);
+}
+
+// Things of 25 triangles that move by a little or far, all of them together at times, and now and then are turned over.
+TEST(ExactRays, AfterAnyMovesHitsAreThoseOfAFreshScene) {
+  Scene scene = soup();
+  const std::vector<Ray> rays = bundle(2048);
+  EmbreeScene embree(scene, 1);
+  embree.build();
+  std::mt19937 random(3);
+  std::uniform_real_distribution<float> small(-0.1f, 0.1f), large(-2, 2);
+  std::vector<Hit> last(rays.size());
+  std::size_t different = 0;
+  for (int move = 0; move < 50; ++move) {
+    SCOPED_TRACE(move);
+    std::vector<VertexRange> moved;
+    for (std::uint32_t thing = 0; thing < 20; ++thing) {
+      if (random() % 8 && move != 30) continue;
+      if (thing > static_cast<std::uint32_t>(move)) continue;  // the others start to move later
+      const VertexRange range{75 * thing, 75};
+      auto& by = random() % 4 ? small : large;
+      const glm::vec3 shift(by(random), 0.5f * by(random), by(random));
+      for (std::uint32_t v = range.first; v < range.first + range.count; ++v) scene.vertices[v].position += shift;
+      if (random() % 4 == 0)
+        for (std::uint32_t t = 25 * thing; t < 25 * (thing + 1); ++t)
+          std::swap(scene.triangles[t].vertices[1], scene.triangles[t].vertices[2]);
+      moved.push_back(range);
+    }
+    embree.follow(moved);
+    for (const bool any : {false, true}) {
+      std::vector<Hit> hits(rays.size());
+      embree.trace(rays, {.minDistance = 1e-4f, .any = any}, hits);
+      const std::vector<Hit> fresh = traced(scene, rays, 1024, any);
+      if (any) {
+        for (std::size_t i = 0; i < rays.size(); ++i) ASSERT_EQ(hits[i].t >= 0, fresh[i].t >= 0);
+      } else {
+        ASSERT_TRUE(sameBits(hits, fresh));
+        different += !sameBits(hits, last);
+        last = hits;
+      }
+    }
+  }
+  EXPECT_GT(different, 40u);
+}
+
+TEST(ExactRays, MemoryStaysTheSameAfterManyMoves) {
+  Scene scene = soup();
+  EmbreeScene embree(scene, 1);
+  embree.build();
+  std::uint64_t settled = 0;
+  for (int move = 0; move < 40; ++move) {
+    for (std::uint32_t v = 0; v < 150; ++v) scene.vertices[v].position.y += 0.01f;
+    embree.follow(std::vector{VertexRange{0, 150}});
+    if (move == 20) settled = embree.bytes();
+  }
+  EXPECT_GT(settled, 0u);
+  EXPECT_LE(embree.bytes(), settled);
 }
 
 TEST(WorkerPool, EveryChunkOfEveryJobIsDoneOnce) {
