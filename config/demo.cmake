@@ -10,7 +10,7 @@ file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/renderer/apps/demo/*.c
 add_library(halfsilver_demo MODULE ${sources})
 halfsilver_own_code(halfsilver_demo)
 target_include_directories(halfsilver_demo SYSTEM PRIVATE ${HALFSILVER_IMGUI_INCLUDE})
-target_link_libraries(halfsilver_demo PRIVATE halfsilver_apps glfw ${HALFSILVER_IMGUI} ${CMAKE_DL_LIBS})
+target_link_libraries(halfsilver_demo PRIVATE halfsilver_game halfsilver_apps glfw ${HALFSILVER_IMGUI} ${CMAKE_DL_LIBS})
 target_compile_definitions(halfsilver_demo PRIVATE GLFW_INCLUDE_NONE
   HALFSILVER_DEMO_FONT="$<$<BOOL:${HALFSILVER_DEMO_FONT}>:${HALFSILVER_DEMO_FONT}>")
 add_dependencies(halfsilver halfsilver_demo)

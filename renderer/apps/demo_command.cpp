@@ -31,6 +31,8 @@ void addDemoCommand(CLI::App& program) {
   command->add_option("--replay", request.replay, "Play the input of this file, with a fixed time step");
   command->add_option("--frames", request.frames, "Draw so many frames with a fixed time step and end; needs no window")
       ->check(CLI::Range(1, 10000000));
+  command->add_option("--fps", request.fps, "Frames per second of the fixed time step (default: 30)")
+      ->check(CLI::Range(1, 1000));
   command->add_option("--screenshot", request.screenshot, "Write the last frame to this .png file");
   command->add_option("--stats", request.stats, "Write a line of JSON per frame to this file");
   command->add_option("--frame-time", request.frameTime,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <fstream>
 #include <set>
 #include <sstream>
 
@@ -115,6 +116,68 @@ TEST(Demo, WhatIsNoSceneIsRefusedBeforeAnythingIsWritten) {
   for (const std::string unknown : {"--show nothing", "--split nothing"})
     EXPECT_EQ(runProgramIn(folder, "demo builtin:sphere --frames 1 --screenshot a.png " + unknown).exitCode, 2);
   EXPECT_TRUE(filesIn(folder).empty());
+}
+
+const std::string kQuickGame =
+    "demo --size 96x54 --set shadow.resolution=64 --set shadow.sky_directions=0 --screenshot last.png --stats s.jsonl ";
+
+std::vector<nlohmann::json> linesOf(const std::filesystem::path& file) {
+  std::istringstream text(readText(file));
+  std::vector<nlohmann::json> lines;
+  for (std::string line; std::getline(text, line);) lines.push_back(nlohmann::json::parse(line));
+  return lines;
+}
+
+// Without a player the autopilot plays; what it did is recorded and played again.
+TEST(Demo, ARoundIsPlayedToItsEndRecordedAndReplayed) {
+  const TemporaryFolder folder;
+  const std::string round = kQuickGame + "--frames 150 --fps 2 ";
+  const ProgramResult played = runProgramIn(folder, round + "--record round.txt", "DISPLAY= ");
+  ASSERT_EQ(played.exitCode, 0) << played.err;
+  const std::vector<nlohmann::json> frames = linesOf(folder / "s.jsonl");
+  const std::string picture = readText(folder / "last.png");
+  ASSERT_EQ(frames.size(), 150u);
+  std::set<nlohmann::json> states;
+  for (const nlohmann::json& frame : frames) {
+    states.insert(frame["status"]);
+    EXPECT_EQ(frame["overflow"], 0) << frame["frame"];
+  }
+  EXPECT_GT(states.size(), 100u) << "the clock runs until the end";
+  EXPECT_NE(frames[1]["status"].dump().find(" 0 of 12 stones"), std::string::npos) << frames[1]["status"];
+  EXPECT_NE(frames[100]["status"].dump().find(" of 12 stones"), std::string::npos);
+  EXPECT_NE(frames.back()["status"].dump().find("12 of 12 stones"), std::string::npos) << frames.back()["status"];
+  EXPECT_NE(frames.back()["status"].dump().find("Round finished"), std::string::npos) << frames.back()["status"];
+
+  const ProgramResult replayed = runProgramIn(folder, round + "--replay round.txt", "DISPLAY= ");
+  ASSERT_EQ(replayed.exitCode, 0) << replayed.err;
+  const std::vector<nlohmann::json> again = linesOf(folder / "s.jsonl");
+  ASSERT_EQ(again.size(), frames.size());
+  for (std::size_t frame = 0; frame < frames.size(); ++frame) {
+    EXPECT_EQ(again[frame]["status"], frames[frame]["status"]);
+    EXPECT_EQ(again[frame]["rays"], frames[frame]["rays"]);
+  }
+  EXPECT_TRUE(readText(folder / "last.png") == picture);
+}
+
+TEST(Demo, RecordingsThatCannotBePlayedAreRefused) {
+  const TemporaryFolder folder;
+  std::ofstream(folder / "bad.txt") << "halfsilver-recording 1\nsteps-per-second 60\nseed 0\n1 2 x 0 0 0\n";
+  const ProgramResult result = runProgramIn(folder, kQuickGame + "--frames 2 --replay bad.txt");
+  EXPECT_EQ(result.exitCode, 3);
+  EXPECT_NE(result.err.find("bad.txt: line 4"), std::string::npos) << result.err;
+  EXPECT_EQ(runProgramIn(folder, kQuickGame + "--frames 2 --replay none.txt").exitCode, 3);
+  EXPECT_EQ(runProgramIn(folder, kQuick + "--frames 2 --record r.txt").exitCode, 2);
+  EXPECT_EQ(filesIn(folder).size(), 1u) << "only the recording that this test wrote";
+}
+
+TEST(Demo, AFrameTimeThatCannotBeHeldLowersTheResolution) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(runProgramIn(folder, kQuickGame + "--frames 30 --frame-time 0.01").exitCode, 0);
+  const std::vector<nlohmann::json> frames = linesOf(folder / "s.jsonl");
+  EXPECT_EQ(frames.front()["scale"], 1);
+  EXPECT_EQ(frames.back()["scale"], 0.25);
+  EXPECT_LT(frames.back()["traced_share"], 0.5);
+  EXPECT_LT(frames.back()["width"], 30);
 }
 
 TEST(Demo, AWindowOpensAndCloses) {

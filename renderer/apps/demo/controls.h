@@ -13,7 +13,8 @@ struct Controls {
   bool flying = false;                          // the right button is held
   glm::vec3 move{0};                            // right, up, forward, -1..1: keys or a gamepad's left stick
   glm::vec2 turn{0};                            // right, up, -1..1: a gamepad's right stick
-  bool action = false, restart = false;         // pressed in this frame
+  bool action = false, restart = false;         // pressed in this frame, as the following
+  bool reset = false, daylight = false, lanterns[4] = {};
 };
 
 }  // namespace halfsilver::demo

@@ -17,6 +17,7 @@ struct Request {
   ViewRequest view;  // an empty scene: the game
   std::string record, replay, screenshot, stats;
   std::optional<int> frames;           // draw so many and end; without a window unless `window`
+  int fps = 30;                        // frames per second of the fixed time step
   std::optional<double> frameTime;     // milliseconds that the controller holds
   std::optional<double> contentScale;  // in place of the display's
   std::string show, cells;             // names of View and Cells; empty: the picture, none

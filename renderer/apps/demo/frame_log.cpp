@@ -20,6 +20,7 @@ std::string toLine(const FrameFigures& figures) {
   line["overflow"] = report.overflow;
   line["structure_bytes"] = report.memory.structureTotal;
   line["total_bytes"] = report.memory.peak;
+  line["status"] = figures.status;
   line["time_ms"] = nlohmann::ordered_json::object();
   for (const StageTime& time : report.times)
     line["time_ms"][time.stage] = line["time_ms"].value(time.stage, 0.0) + std::max(0.0, time.milliseconds);

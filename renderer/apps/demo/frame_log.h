@@ -17,6 +17,7 @@ struct FrameFigures {
   double tracedShare = 1;     // of the reflecting pixels
   int width = 0, height = 0;  // of the picture
   FrameReport report;
+  std::vector<std::string> status;  // of the play
 };
 
 // A line of JSON: coverage, rays, stage times, bytes of the structure and in all, scale, overflow.

@@ -2,6 +2,7 @@
 
 #include <halfsilver/context.h>
 #include <halfsilver/gl/api.h>
+#include "apps/demo/frame_holder.h"
 #include "apps/demo/outputs.h"
 #include "apps/demo/overlay.h"
 #include "apps/demo/session.h"
@@ -13,8 +14,7 @@
 namespace halfsilver::demo {
 namespace {
 
-constexpr double kStep = 1.0 / 30;  // seconds per frame
-constexpr int kLayouts = 3;         // until panels know their sizes
+constexpr int kLayouts = 3;  // until panels know their sizes
 
 }  // namespace
 
@@ -22,6 +22,7 @@ void runHeadless(const Request& request) {
   const Size size = parseSize(request.view.size);
   Options options = firstOptions(request);
   RunOutputs outputs(request);
+  const double step = 1.0 / request.fps;  // seconds per frame
   Progress progress;
   progress.show("loading");
   std::unique_ptr<Play> play = makePlay(request);
@@ -36,10 +37,14 @@ void runHeadless(const Request& request) {
     shown.emplace(api, size);
   }
   FrameLog log;
+  FrameHolder holder;
   for (int frame = 0; frame < *request.frames; ++frame) {
     progress.show("frame " + std::to_string(frame + 1) + " of " + std::to_string(*request.frames));
-    session.advance({}, kStep);
-    const FrameFigures figures = session.draw(size, 1, options, true);
+    const auto start = std::chrono::steady_clock::now();
+    session.advance({}, step);
+    FrameFigures figures = session.draw(size, holder.scale(options), holder.options(options), true);
+    figures.wallMilliseconds = millisecondsSince(start);
+    holder.learn(figures);
     log.add(figures);
     outputs.add(figures);
     if (!overlay || frame + 1 < *request.frames) continue;
@@ -50,15 +55,16 @@ void runHeadless(const Request& request) {
                        dynamic_cast<Viewer*>(&session.playing()),
                        {},
                        {},
-                       {},
+                       holder.say(),
                        session.status(options),
                        cells};
-    for (int i = 0; i < kLayouts; ++i) overlay->layOut(size, kStep, session.backdrops(), state);
+    for (int i = 0; i < kLayouts; ++i) overlay->layOut(size, step, session.backdrops(), state);
     api.BindFramebuffer(GL_DRAW_FRAMEBUFFER, shown->target().framebuffer);
     overlay->draw();
   }
   progress.clear();
-  outputs.commit(size, shown ? shown->read() : session.read());
+  session.playing().finish();
+  outputs.commit(shown ? size : session.view().size(), shown ? shown->read() : session.read());
 }
 
 }  // namespace halfsilver::demo

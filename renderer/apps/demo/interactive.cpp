@@ -9,6 +9,8 @@
 #include <halfsilver/error.h>
 #include <halfsilver/gl/api.h>
 #include <halfsilver/io.h>
+#include "apps/demo/frame_holder.h"
+#include "apps/demo/game_play.h"
 #include "apps/demo/outputs.h"
 #include "apps/demo/session.h"
 #include "apps/demo/start.h"
@@ -40,6 +42,7 @@ class Interactive {
   void run() {
     showProgress("loading", 0.1f);
     session_.play(makePlay(request_), drawn(), options_);
+    if (GamePlay* game = this->game()) game->bestSeconds = options_.bestSeconds;
     warmUp();
     RunOutputs outputs(request_);
     auto before = std::chrono::steady_clock::now();
@@ -51,18 +54,25 @@ class Interactive {
       before = now;
       followScale();
       if (window_.visible()) {
-        drawFrame(request_.frames ? 1.0 / 30 : elapsed);
+        drawFrame(request_.frames || !request_.replay.empty() ? 1.0 / request_.fps : elapsed);
         outputs.add(log_.last());
         ++frame;
       }
       openDropped();
     }
+    keepGame();
     if (request_.frames) outputs.commit(session_.view().size(), session_.read());
     if (!request_.frames) save(configFolder(), options_);
   }
 
  private:
+  GamePlay* game() { return dynamic_cast<GamePlay*>(&session_.playing()); }
   Viewer* viewer() { return dynamic_cast<Viewer*>(&session_.playing()); }
+
+  void keepGame() {
+    session_.playing().finish();
+    if (const GamePlay* game = this->game()) options_.bestSeconds = game->bestSeconds;
+  }
 
   void clear() {
     const GLfloat black[4] = {0, 0, 0, 1};
@@ -100,12 +110,13 @@ class Interactive {
     const Controls controls = window_.controls(overlay_.wantsMouse(), overlay_.wantsKeys());
     if (!overlay_.wantsKeys()) followKeys();
     if (Viewer* scene = viewer()) scene->setWindowHeight(window_.size().height);
+    const auto start = std::chrono::steady_clock::now();
     session_.advance(controls, options_.frozen ? 0 : seconds);
-    drawPicture();
+    drawPicture(start);
     followClicks(controls);
     const std::vector<Segment> cells = session_.cells(options_);
-    OverlayState state{options_, log_, session_.playing().model(), viewer(), clicked_,
-                       message_, {},   session_.status(options_),  cells};
+    OverlayState state{options_, log_,          session_.playing().model(), viewer(), clicked_,
+                       message_, holder_.say(), session_.status(options_),  cells};
     const SceneChange change = overlay_.layOut(window_.size(), seconds, session_.backdrops(), state);
     clear();
     overlay_.draw();
@@ -114,9 +125,12 @@ class Interactive {
   }
 
   // Settings that the device cannot draw are taken back.
-  void drawPicture() {
+  void drawPicture(std::chrono::steady_clock::time_point start) {
     try {
-      log_.add(session_.draw(window_.size(), 1, options_, false));
+      FrameFigures figures = session_.draw(window_.size(), holder_.scale(options_), holder_.options(options_), false);
+      figures.wallMilliseconds = millisecondsSince(start);
+      holder_.learn(figures);
+      log_.add(figures);
       good_ = options_;
     } catch (const Error& error) {
       message_ = error.what();
@@ -218,7 +232,9 @@ class Interactive {
   void open(const std::string& scene) {
     attempt([&] {
       showProgress("loading " + scene, 0.3f);
-      session_.play(makeViewer(request_, scene), drawn(), options_);
+      std::unique_ptr<Play> next = makeViewer(request_, scene);
+      keepGame();
+      session_.play(std::move(next), drawn(), options_);
       scene_ = scene;
       clicked_.reset();
       warmUp();
@@ -246,6 +262,7 @@ class Interactive {
   Overlay overlay_;
   Session session_;
   FrameLog log_;
+  FrameHolder holder_;
   std::string scene_, message_;
   std::optional<std::uint32_t> clicked_;  // a material
   double scale_ = 0;

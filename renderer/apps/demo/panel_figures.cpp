@@ -99,7 +99,11 @@ void drawKeys(const Options& options, float scale) {
   line("F11", "fullscreen");
   line("F12", "screenshot; with Shift at four times the size");
   line("L", "layers of the picture to an EXR file");
+  line("Enter", "start the game");
   line("R", "restart the game");
+  line("Backspace", "put the ball back");
+  line("F5 .. F8", "lanterns; plates on the floor switch them, too");
+  line("N", "day or night in the game");
   line("W A S D", "roll the ball, or fly in a scene (right mouse button; E up, Q down; wheel: speed)");
   line("mouse", "left: orbit; middle: pan; wheel: zoom; double click: pivot");
   line("F", "show what was clicked, or all");

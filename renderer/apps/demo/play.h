@@ -22,6 +22,8 @@ class Play {
   virtual Camera camera() const = 0;
   // What the player should know, a line each.
   virtual std::vector<std::string> status() const { return {}; }
+  // At the end of the run: writes what is to be kept. Throws Error (failed).
+  virtual void finish() {}
   // The point that the player double-clicked, and the bounds that F shows; nothing if that has no meaning.
   virtual void setPivot(const glm::vec3&) {}
   virtual void frame(const Bounds&) {}

@@ -10,6 +10,10 @@
 
 namespace halfsilver::demo {
 
+double millisecondsSince(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
 Session::Session(const gl::Api& api, Proc getProcAddress, int threads)
     : api_(&api), getProcAddress_(std::move(getProcAddress)), threads_(threads) {}
 
@@ -69,8 +73,8 @@ FrameFigures Session::draw(const Size& window, double scale, const Options& opti
     report_ = view_->renderer().report();
   else if (auto arrived = view_->renderer().arrivedReport())
     report_ = std::move(*arrived);
-  const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
-  return {frame_++, took.count(), scale, options.settings.select.fraction, size.width, size.height, report_};
+  return {frame_++, millisecondsSince(start), scale, options.settings.select.fraction, size.width, size.height,
+          report_,  play_->status()};
 }
 
 std::vector<Segment> Session::cells(const Options& options) const {

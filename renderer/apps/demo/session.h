@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -14,6 +15,8 @@
 #include "apps/demo/scene_view.h"
 
 namespace halfsilver::demo {
+
+double millisecondsSince(std::chrono::steady_clock::time_point start);
 
 // What is played, drawn by one or two renderers. A window or a file shows it.
 class Session {

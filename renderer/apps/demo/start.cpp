@@ -5,9 +5,11 @@
 #include <new>
 #include <span>
 #include <string_view>
+#include <utility>
 
 #include <halfsilver/error.h>
 #include <halfsilver/io.h>
+#include "apps/demo/game_play.h"
 #include "apps/demo/viewer.h"
 
 namespace halfsilver::demo {
@@ -54,7 +56,18 @@ std::unique_ptr<Play> makeViewer(const Request& request, const std::string& scen
 }
 
 std::unique_ptr<Play> makePlay(const Request& request) {
-  return makeViewer(request, request.view.scene.empty() ? "builtin:atrium" : request.view.scene);
+  if (!request.view.scene.empty()) {
+    if (!request.record.empty() || !request.replay.empty())
+      throw Error(ErrorKind::usage, "demo: --record and --replay are for the game, without a SCENE");
+    return makeViewer(request, request.view.scene);
+  }
+  GameInputs inputs;
+  if (!request.replay.empty()) inputs.replay = readRecording(request.replay);
+  inputs.autopilot = request.frames && !request.window;  // there is no player
+  inputs.record = request.record;
+  ViewRequest view = request.view;
+  view.scene = "builtin:game";
+  return std::make_unique<GamePlay>(loadModel(view, checkView(view)), std::move(inputs));
 }
 
 Options firstOptions(const Request& request) {

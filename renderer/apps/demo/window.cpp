@@ -153,6 +153,9 @@ Controls Window::controls(bool overlayHasMouse, bool overlayHasKeys) {
     controls.move = {axis(GLFW_KEY_D, GLFW_KEY_A), axis(GLFW_KEY_E, GLFW_KEY_Q), axis(GLFW_KEY_W, GLFW_KEY_S)};
     controls.action = pressed(GLFW_KEY_ENTER);
     controls.restart = pressed(GLFW_KEY_R);
+    controls.reset = pressed(GLFW_KEY_BACKSPACE);
+    controls.daylight = pressed(GLFW_KEY_N);
+    for (int i = 0; i < 4; ++i) controls.lanterns[i] = pressed(GLFW_KEY_F5 + i);
   }
   readGamepad(controls);
   return controls;
@@ -169,6 +172,7 @@ void Window::readGamepad(Controls& controls) const {
   controls.turn = stick(state.axes[GLFW_GAMEPAD_AXIS_RIGHT_X], state.axes[GLFW_GAMEPAD_AXIS_RIGHT_Y]);
   controls.action = controls.action || state.buttons[GLFW_GAMEPAD_BUTTON_A] == GLFW_PRESS;
   controls.restart = controls.restart || state.buttons[GLFW_GAMEPAD_BUTTON_START] == GLFW_PRESS;
+  controls.reset = controls.reset || state.buttons[GLFW_GAMEPAD_BUTTON_Y] == GLFW_PRESS;
 }
 
 }  // namespace halfsilver::demo

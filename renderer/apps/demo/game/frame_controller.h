@@ -40,7 +40,7 @@ class FrameController {
   double fixed_ = 0, timeBefore_ = 0;
   int levelBefore_ = 0;
   bool learnt_ = true;
-  int settling_ = 0;  // frames whose time is not typical: just after a change
+  int settling_ = 2;  // frames whose time is not typical: the first, and just after a change
   int roomy_ = 0;     // frames in a row with room to spare
   int patience_;      // of them before quality rises
   int sinceRise_ = 0;

@@ -41,8 +41,10 @@ class Game {
 
   void step(const Input& input);
 
-  // As it was given, but for lights, the sky and values of materials: those are as they are now. Vertices stay at rest.
+  // As it was given, but for lights, the sky and values of materials: those are as they are now. Vertices are as the
+  // caller poses them.
   const Model& model() const { return model_; }
+  Model& model() { return model_; }  // for who poses it or edits lights and materials
   const PoseState& poseState() const { return state_; }
   Camera camera() const { return camera_.camera(); }
   // What changed of lights, sky and materials since the last call.
