@@ -59,7 +59,7 @@ class RunStore {
   // Many words are stale, and a run is too long for the device to move: better drop them all.
   bool stuck() const { return sparse() && !movable(); }
 
-  StructureCells cells() const;              // waits for the GPU
+  StructureCells cells() const;             // waits for the GPU
   void report(TracerMemory& memory) const;  // all but fragments made
   void beginFrame() { transient_ = 0; }
 
