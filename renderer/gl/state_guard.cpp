@@ -50,7 +50,7 @@ struct SavedState {
   std::array<Image, 8> images;
   std::array<Range, 16> storageBuffers;
   GLuint storageBuffer = 0, uniformBuffer = 0;  // the bindings without an index
-  Range frameUniforms;                          // uniform binding 0
+  std::array<Range, 2> uniformBuffers;          // of this frame and the one before
   GLuint drawIndirect = 0, dispatchIndirect = 0, packBuffer = 0, unpackBuffer = 0;
   std::array<GLint, 16> pixelStore{0, 0, 0, 0, 0, 0, 0, 4, 0, 0, 0, 0, 0, 0, 0, 4};
 };
@@ -138,7 +138,9 @@ void captureBindings(const Api& api, SavedState& state) {
     state.storageBuffers[i] = range(api, static_cast<GLuint>(i), GL_SHADER_STORAGE_BUFFER_BINDING,
                                     GL_SHADER_STORAGE_BUFFER_START, GL_SHADER_STORAGE_BUFFER_SIZE);
   state.storageBuffer = object(api, GL_SHADER_STORAGE_BUFFER_BINDING);
-  state.frameUniforms = range(api, 0, GL_UNIFORM_BUFFER_BINDING, GL_UNIFORM_BUFFER_START, GL_UNIFORM_BUFFER_SIZE);
+  for (std::size_t i = 0; i < state.uniformBuffers.size(); ++i)
+    state.uniformBuffers[i] =
+        range(api, static_cast<GLuint>(i), GL_UNIFORM_BUFFER_BINDING, GL_UNIFORM_BUFFER_START, GL_UNIFORM_BUFFER_SIZE);
   state.uniformBuffer = object(api, GL_UNIFORM_BUFFER_BINDING);
   state.drawIndirect = object(api, GL_DRAW_INDIRECT_BUFFER_BINDING);
   state.dispatchIndirect = object(api, GL_DISPATCH_INDIRECT_BUFFER_BINDING);
@@ -238,7 +240,8 @@ void applyBindings(const Api& api, const SavedState& state) {
   for (std::size_t i = 0; i < state.storageBuffers.size(); ++i)
     bindRange(api, GL_SHADER_STORAGE_BUFFER, i, state.storageBuffers[i]);
   api.BindBuffer(GL_SHADER_STORAGE_BUFFER, state.storageBuffer);
-  bindRange(api, GL_UNIFORM_BUFFER, 0, state.frameUniforms);
+  for (std::size_t i = 0; i < state.uniformBuffers.size(); ++i)
+    bindRange(api, GL_UNIFORM_BUFFER, i, state.uniformBuffers[i]);
   api.BindBuffer(GL_UNIFORM_BUFFER, state.uniformBuffer);
   api.BindBuffer(GL_DRAW_INDIRECT_BUFFER, state.drawIndirect);
   api.BindBuffer(GL_DISPATCH_INDIRECT_BUFFER, state.dispatchIndirect);

@@ -63,8 +63,9 @@ class Snapshot {
       for (const GLenum name :
            {GL_SHADER_STORAGE_BUFFER_BINDING, GL_SHADER_STORAGE_BUFFER_START, GL_SHADER_STORAGE_BUFFER_SIZE})
         indexed(name, i);
-    for (const GLenum name : {GL_UNIFORM_BUFFER_BINDING, GL_UNIFORM_BUFFER_START, GL_UNIFORM_BUFFER_SIZE})
-      indexed(name, 0);
+    for (GLuint i = 0; i < 2; ++i)
+      for (const GLenum name : {GL_UNIFORM_BUFFER_BINDING, GL_UNIFORM_BUFFER_START, GL_UNIFORM_BUFFER_SIZE})
+        indexed(name, i);
     units();
   }
 
@@ -187,7 +188,7 @@ class StateGuardTest : public testing::ContextTest {
       else
         buffer.bindStorage(i);
     api.BindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
-    api.BindBufferRange(GL_UNIFORM_BUFFER, 0, buffer.name(), 256, 16 * seed);
+    for (GLuint i = 0; i < 2; ++i) api.BindBufferRange(GL_UNIFORM_BUFFER, i, buffer.name(), 256 * i, 16 * seed);
     for (const GLenum target : {GL_DRAW_INDIRECT_BUFFER, GL_DISPATCH_INDIRECT_BUFFER, GL_PIXEL_PACK_BUFFER,
                                 GL_PIXEL_UNPACK_BUFFER, GL_UNIFORM_BUFFER})
       api.BindBuffer(target, buffer.name());
