@@ -22,7 +22,8 @@ TEST_P(RayWorkTest, IsCountedForEachRayAndChangesNoHit) {
   const Frame without = drawWholeWith(renderer, kAbove, settings("false"), 80, 60);
   EXPECT_TRUE(renderer.readRayWork().empty());
   const Frame with = drawWholeWith(renderer, kAbove, settings("true"), 80, 60);
-  EXPECT_EQ(with.layers.data, without.layers.data);
+  for (const std::string& channel : without.layers.channels)
+    EXPECT_EQ(with.plane(channel), without.plane(channel)) << channel;
   const std::vector<RayWork> work = renderer.readRayWork();
   ASSERT_EQ(work.size(), with.report.selected);
   ASSERT_GT(work.size(), 500u);
@@ -32,6 +33,12 @@ TEST_P(RayWorkTest, IsCountedForEachRayAndChangesNoHit) {
     steps += ray.steps;
     tests += ray.tests;
   }
+  // The layers say the same, pixel by pixel.
+  const auto sumOf = [](const std::vector<float>& plane) { return std::accumulate(plane.begin(), plane.end(), 0.0); };
+  EXPECT_EQ(sumOf(with.plane("work.steps")), steps);
+  EXPECT_EQ(sumOf(with.plane("work.tests")), tests);
+  const std::vector<float> selected = with.plane("selected.Y"), counted = with.plane("work.steps");
+  for (std::size_t pixel = 0; pixel < selected.size(); ++pixel) ASSERT_EQ(counted[pixel] > 0, selected[pixel] > 0);
   const auto rays = static_cast<double>(work.size());
   EXPECT_GT(steps / rays, 2);
   EXPECT_LT(steps / rays, 100);
