@@ -191,9 +191,9 @@ class Builder {
       shape.firstVertex = static_cast<std::uint32_t>(scene.vertices.size());
       shape.vertexCount = static_cast<std::uint32_t>(shape.rest.size());
       scene.vertices.resize(scene.vertices.size() + shape.rest.size());
+      shape.turned = mirrored(model_.rig, shape, rest_);
       place(model_.rig, shape, rest_, scene.origin, std::span(scene.vertices).subspan(shape.firstVertex));
       shape.firstTriangle = static_cast<std::uint32_t>(scene.triangles.size());
-      shape.turned = mirrored(model_.rig, shape, rest_);
       const bool rigid = shape.skin < 0 && shape.targets.empty();
       const bool moves = canMove(model_.rig, moving_, shape);
       for (const auto& source : geometry.triangles) {

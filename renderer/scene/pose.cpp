@@ -246,7 +246,7 @@ std::vector<glm::dvec3> worldPositions(const Rig& rig, const Instance& instance,
 void place(const Rig& rig, const Instance& instance, const PoseState& state, const glm::dvec3& origin,
            std::span<Vertex> vertices) {
   const Placer placer(rig, instance, state);
-  const double flip = mirrored(rig, instance, state) ? -1 : 1;
+  const double flip = instance.turned ? -1 : 1;
   std::array<glm::dvec3, 3> corners;
   glm::dvec3 flat(0, 1, 0);
   for (std::size_t i = 0; i < instance.rest.size(); ++i) {
@@ -296,13 +296,13 @@ SceneChange pose(Model& model, const PoseState& state) {
   SceneChange change;
   std::vector<Vertex> moved;
   for (Instance& instance : model.rig.instances) {
+    const bool turns = turn(scene, instance, mirrored(model.rig, instance, state));
     moved.resize(instance.rest.size());
     place(model.rig, instance, state, scene.origin, moved);
     for (const Vertex& vertex : moved)
       if (!std::isfinite(vertex.position.x + vertex.position.y + vertex.position.z))
         throw Error(ErrorKind::badInput,
                     "an animation moves the scene out of the range of floats: node " + std::to_string(instance.node));
-    const bool turns = turn(scene, instance, mirrored(model.rig, instance, state));
     Vertex* const old = scene.vertices.data() + instance.firstVertex;
     if (turns) change.turned.push_back({instance.firstTriangle, instance.triangleCount});
     if (moved.empty()) continue;

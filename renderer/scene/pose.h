@@ -13,7 +13,7 @@ namespace halfsilver {
 std::vector<glm::dvec3> worldPositions(const Rig& rig, const Instance& instance, const PoseState& state);
 
 // Writes the instance's vertices relative to `origin`: positions rounded once, normals and tangents unit length.
-// `vertices` holds instance.rest.size() elements.
+// `vertices` holds instance.rest.size() elements; Instance::turned is that of the pose.
 void place(const Rig& rig, const Instance& instance, const PoseState& state, const glm::dvec3& origin,
            std::span<Vertex> vertices);
 
