@@ -239,6 +239,17 @@ void addFloor(MeshBuilder& build, const Materials& m) {
             kAllFaces & ~kFaceTop);
 }
 
+void addShell(MeshBuilder& build, const Materials& m) {
+  build.use(m.brick, kBrickScale);
+  build.box({kOuterWall, 0, -kHalfLength}, {kOuterWall + 0.4, kGallery - 0.12, kHalfLength});
+  build.use(m.ochre, kPlainScale);
+  build.box({kOuterWall, kGallery - 0.12, -kHalfLength}, {kOuterWall + 0.4, kRoof, kHalfLength});
+  build.use(m.stone, kStoneScale);
+  build.box({kArcadeFace, kGallery - 0.25, -kHalfLength}, {kOuterWall, kGallery, kHalfLength});
+  build.use(m.wood, 1.0);
+  build.box({kUpperFace, kCeiling, -kHalfLength}, {kOuterWall + 0.4, kRoof, kHalfLength});
+}
+
 void addArcade(MeshBuilder& build, const Materials& m) {
   for (int k = 0; k < kBays; ++k) {
     addLowerBay(build, m, bayZ(k));
@@ -256,15 +267,7 @@ void addArcade(MeshBuilder& build, const Materials& m) {
     build.disc(center - 0.012 * kX, -kX, 0.23, 40);
   }
   const double length = 2 * kHalfLength;
-  // Outer wall, gallery floor and roof are closed boxes, so that no light leaks in.
-  build.use(m.brick, kBrickScale);
-  build.box({kOuterWall, 0, -kHalfLength}, {kOuterWall + 0.4, kGallery - 0.12, kHalfLength});
-  build.use(m.ochre, kPlainScale);
-  build.box({kOuterWall, kGallery - 0.12, -kHalfLength}, {kOuterWall + 0.4, kRoof, kHalfLength});
-  build.use(m.stone, kStoneScale);
-  build.box({kArcadeFace, kGallery - 0.25, -kHalfLength}, {kOuterWall, kGallery, kHalfLength});
-  build.use(m.wood, 1.0);
-  build.box({kUpperFace, kCeiling, -kHalfLength}, {kOuterWall + 0.4, kRoof, kHalfLength});
+  addShell(build, m);
   for (const double x : {4.75, 5.75})
     build.box({x - 0.08, kCeiling - 0.2, -kHalfLength}, {x + 0.08, kCeiling + 0.02, kHalfLength});
   // Moldings toward the nave.

@@ -37,7 +37,9 @@ inline double columnZ(int k) { return -kHalfLength + kBay * k; }
 inline double bayZ(int k) { return columnZ(k) + 0.5 * kBay; }
 
 void addFloor(MeshBuilder& build, const Materials& materials);
-// One side, at x > 0, without its columns and furniture.
+// Of one side, at x > 0: outer wall, gallery floor and roof, as closed boxes, so that no light leaks in.
+void addShell(MeshBuilder& build, const Materials& materials);
+// One side with its shell, without its columns and furniture.
 void addArcade(MeshBuilder& build, const Materials& materials);
 void addColumns(MeshBuilder& build, const Materials& materials);  // of one side
 // The end at z < 0.

@@ -160,94 +160,102 @@ Figure addFigure(Model& model, const Materials& m, int number, dvec3 at, double 
 
 dquat about(dvec3 axis, double angle) { return glm::angleAxis(angle, axis); }
 
+// An animation of a figure's joints; `cycles` of its phase, 2 pi each, make a loop.
+class Moves {
+ public:
+  Moves(const Figure& figure, const char* name, double seconds, double cycles, int keys)
+      : figure_(&figure), radiansPerSecond_(2 * kPi * cycles / seconds), keys_(keys) {
+    animation_.name = name;
+    animation_.duration = static_cast<float>(seconds);
+  }
+
+  double phase(double seconds) const { return radiansPerSecond_ * seconds; }
+  // By the phase.
+  void turn(Joint joint, const std::function<dquat(double)>& at) {
+    addRotations(animation_, figure_->joints[joint], keys_, [&](double t) { return at(phase(t)); });
+  }
+  void shift(Joint joint, const std::function<dvec3(double)>& at) {
+    addTranslations(animation_, figure_->joints[joint], keys_, [&](double t) { return at(phase(t)); });
+  }
+  // The figure as a whole, by the time in seconds.
+  void lead(const std::function<dvec3(double)>& place, const std::function<dquat(double)>& heading) {
+    addTranslations(animation_, figure_->node, keys_, place);
+    addRotations(animation_, figure_->node, keys_, heading);
+  }
+  void addTo(Model& model) && { model.rig.animations.push_back(std::move(animation_)); }
+
+ private:
+  const Figure* figure_;
+  double radiansPerSecond_;
+  int keys_;
+  Animation animation_;
+};
+
 // Walks around the middle of the hall.
 void addWalk(Model& model, const Figure& figure) {
   constexpr double kRadius = 1.78, kStride = 1.2;  // meters, seconds of two steps
-  constexpr int kStrides = 8, kKeys = kStrides * 12;
-  Animation walk;
-  walk.name = "figure 1 walks";
-  walk.duration = static_cast<float>(kStrides * kStride);
-  const auto phase = [](double t) { return 2 * kPi * t / kStride; };
+  constexpr int kStrides = 8;
+  Moves walk(figure, "figure 1 walks", kStrides * kStride, kStrides, kStrides * 12);
   const auto around = [](double t) { return 2 * kPi * t / (kStrides * kStride); };
-  const auto turn = [&](Joint joint, const std::function<dquat(double)>& at) {
-    addRotations(walk, figure.joints[joint], kKeys, [&](double t) { return at(phase(t)); });
-  };
-  addTranslations(walk, figure.node, kKeys,
-                  [&](double t) { return dvec3(kRadius * std::sin(around(t)), 0, kRadius * std::cos(around(t))); });
-  addRotations(walk, figure.node, kKeys, [&](double t) { return about(kY, around(t) + 0.5 * kPi); });
-  addTranslations(walk, figure.joints[kHips], kKeys, [&](double t) {
-    return dvec3(0.02 * std::sin(phase(t)), 0.955 + 0.018 * std::cos(2 * phase(t)), 0);
-  });
-  turn(kHips, [](double p) { return about(kY, 0.10 * std::sin(p)); });
-  turn(kChest, [](double p) { return about(kY, -0.22 * std::sin(p)) * about(kX, 0.05); });
-  turn(kHead, [](double p) { return about(kY, 0.14 * std::sin(p)); });
+  walk.lead([&](double t) { return dvec3(kRadius * std::sin(around(t)), 0, kRadius * std::cos(around(t))); },
+            [&](double t) { return about(kY, around(t) + 0.5 * kPi); });
+  walk.shift(kHips, [](double p) { return dvec3(0.02 * std::sin(p), 0.955 + 0.018 * std::cos(2 * p), 0); });
+  walk.turn(kHips, [](double p) { return about(kY, 0.10 * std::sin(p)); });
+  walk.turn(kChest, [](double p) { return about(kY, -0.22 * std::sin(p)) * about(kX, 0.05); });
+  walk.turn(kHead, [](double p) { return about(kY, 0.14 * std::sin(p)); });
   for (const double side : {1.0, -1.0}) {
     const bool left = side > 0;
     // The leg is in front at sin = 1 and swings forward, its knee bent, while the cosine is positive.
-    turn(left ? kThighLeft : kThighRight, [side](double p) { return about(kX, -0.44 * side * std::sin(p) - 0.10); });
-    turn(left ? kShinLeft : kShinRight,
-         [side](double p) { return about(kX, 0.16 + 0.85 * std::max(0.0, side * std::cos(p))); });
-    turn(left ? kFootLeft : kFootRight, [side](double p) {
+    walk.turn(left ? kThighLeft : kThighRight,
+              [side](double p) { return about(kX, -0.44 * side * std::sin(p) - 0.10); });
+    walk.turn(left ? kShinLeft : kShinRight,
+              [side](double p) { return about(kX, 0.16 + 0.85 * std::max(0.0, side * std::cos(p))); });
+    walk.turn(left ? kFootLeft : kFootRight, [side](double p) {
       return about(kX, -0.06 + 0.25 * side * std::sin(p + 0.6) * (side * std::cos(p) > 0 ? 1.0 : 0.6));
     });
-    turn(left ? kArmLeft : kArmRight, [side](double p) { return about(kX, 0.50 * side * std::sin(p)); });
-    turn(left ? kForearmLeft : kForearmRight,
-         [side](double p) { return about(kX, -0.40 + 0.25 * side * std::sin(p)); });
+    walk.turn(left ? kArmLeft : kArmRight, [side](double p) { return about(kX, 0.50 * side * std::sin(p)); });
+    walk.turn(left ? kForearmLeft : kForearmRight,
+              [side](double p) { return about(kX, -0.40 + 0.25 * side * std::sin(p)); });
   }
-  model.rig.animations.push_back(std::move(walk));
+  std::move(walk).addTo(model);
 }
 
 void addWave(Model& model, const Figure& figure) {
-  constexpr double kLength = 3.2;
-  constexpr int kKeys = 48;
-  Animation wave;
-  wave.name = "figure 2 waves";
-  wave.duration = static_cast<float>(kLength);
-  const auto turn = [&](Joint joint, const std::function<dquat(double)>& at) {
-    addRotations(wave, figure.joints[joint], kKeys, [&](double t) { return at(2 * kPi * t / kLength); });
-  };
-  turn(kArmRight, [](double p) { return about(kZ, -2.30 + 0.08 * std::sin(4 * p)); });
-  turn(kForearmRight, [](double p) { return about(kZ, -0.35 + 0.50 * std::sin(4 * p)); });
-  turn(kArmLeft, [](double p) { return about(kX, 0.10 * std::sin(p)) * about(kZ, 0.12); });
-  turn(kForearmLeft, [](double p) { return about(kX, -0.35 - 0.10 * std::sin(p)); });
-  turn(kSpine, [](double p) { return about(kZ, 0.05 * std::sin(p)); });
-  turn(kChest, [](double p) { return about(kY, 0.10 * std::sin(p)); });
-  turn(kHead, [](double p) { return about(kZ, 0.12 * std::sin(2 * p)) * about(kX, 0.05 * std::cos(p)); });
-  model.rig.animations.push_back(std::move(wave));
+  Moves wave(figure, "figure 2 waves", 3.2, 1, 48);
+  wave.turn(kArmRight, [](double p) { return about(kZ, -2.30 + 0.08 * std::sin(4 * p)); });
+  wave.turn(kForearmRight, [](double p) { return about(kZ, -0.35 + 0.50 * std::sin(4 * p)); });
+  wave.turn(kArmLeft, [](double p) { return about(kX, 0.10 * std::sin(p)) * about(kZ, 0.12); });
+  wave.turn(kForearmLeft, [](double p) { return about(kX, -0.35 - 0.10 * std::sin(p)); });
+  wave.turn(kSpine, [](double p) { return about(kZ, 0.05 * std::sin(p)); });
+  wave.turn(kChest, [](double p) { return about(kY, 0.10 * std::sin(p)); });
+  wave.turn(kHead, [](double p) { return about(kZ, 0.12 * std::sin(2 * p)) * about(kX, 0.05 * std::cos(p)); });
+  std::move(wave).addTo(model);
 }
 
 void addDance(Model& model, const Figure& figure) {
-  constexpr double kLength = 4.0;
-  constexpr int kKeys = 64;
-  Animation dance;
-  dance.name = "figure 3 dances";
-  dance.duration = static_cast<float>(kLength);
-  const auto beat = [](double t) { return 4 * kPi * t / kLength; };  // twice per loop
+  Moves dance(figure, "figure 3 dances", 4, 2, 64);
   const auto bend = [](double p) { return 0.30 + 0.22 * std::cos(2 * p); };
-  const auto turn = [&](Joint joint, const std::function<dquat(double)>& at) {
-    addRotations(dance, figure.joints[joint], kKeys, [&](double t) { return at(beat(t)); });
-  };
   // The hips sink as far as the bent knees ask for, so that the feet stay on the floor.
-  addTranslations(dance, figure.joints[kHips], kKeys, [&](double t) {
+  dance.shift(kHips, [&bend](double p) {
     const double legs = kHipHeight - kAnkleHeight;
-    return dvec3(0.05 * std::sin(beat(t)), 0.98 - legs * (1 - std::cos(bend(beat(t)))), 0);
+    return dvec3(0.05 * std::sin(p), 0.98 - legs * (1 - std::cos(bend(p))), 0);
   });
-  turn(kHips, [](double p) { return about(kZ, 0.10 * std::sin(p)); });
-  turn(kSpine, [](double p) { return about(kZ, -0.12 * std::sin(p)) * about(kY, 0.20 * std::sin(p)); });
-  turn(kChest, [](double p) { return about(kY, 0.25 * std::sin(p)); });
-  turn(kHead, [](double p) { return about(kZ, -0.15 * std::sin(p)); });
+  dance.turn(kHips, [](double p) { return about(kZ, 0.10 * std::sin(p)); });
+  dance.turn(kSpine, [](double p) { return about(kZ, -0.12 * std::sin(p)) * about(kY, 0.20 * std::sin(p)); });
+  dance.turn(kChest, [](double p) { return about(kY, 0.25 * std::sin(p)); });
+  dance.turn(kHead, [](double p) { return about(kZ, -0.15 * std::sin(p)); });
   for (const double side : {1.0, -1.0}) {
     const bool left = side > 0;
-    turn(left ? kThighLeft : kThighRight,
-         [&bend](double p) { return about(kZ, -0.10 * std::sin(p)) * about(kX, -bend(p)); });
-    turn(left ? kShinLeft : kShinRight, [&bend](double p) { return about(kX, 2 * bend(p)); });
-    turn(left ? kFootLeft : kFootRight, [&bend](double p) { return about(kX, -bend(p)); });
-    turn(left ? kArmLeft : kArmRight,
-         [side](double p) { return about(kZ, side * (1.55 + 0.55 * std::sin(p + (side > 0 ? 0 : kPi)))); });
-    turn(left ? kForearmLeft : kForearmRight,
-         [side](double p) { return about(kZ, side * (0.75 + 0.45 * std::cos(p + (side > 0 ? 0 : kPi)))); });
+    dance.turn(left ? kThighLeft : kThighRight,
+               [&bend](double p) { return about(kZ, -0.10 * std::sin(p)) * about(kX, -bend(p)); });
+    dance.turn(left ? kShinLeft : kShinRight, [&bend](double p) { return about(kX, 2 * bend(p)); });
+    dance.turn(left ? kFootLeft : kFootRight, [&bend](double p) { return about(kX, -bend(p)); });
+    dance.turn(left ? kArmLeft : kArmRight,
+               [side](double p) { return about(kZ, side * (1.55 + 0.55 * std::sin(p + (side > 0 ? 0 : kPi)))); });
+    dance.turn(left ? kForearmLeft : kForearmRight,
+               [side](double p) { return about(kZ, side * (0.75 + 0.45 * std::cos(p + (side > 0 ? 0 : kPi)))); });
   }
-  model.rig.animations.push_back(std::move(dance));
+  std::move(dance).addTo(model);
 }
 
 }  // namespace

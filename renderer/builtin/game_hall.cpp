@@ -114,15 +114,7 @@ void addSide(MeshBuilder& build, const atrium::Materials& m) {
   }
   for (int k = 1; k < 2 * kBays; ++k) build.append(upper, {{kColumnAxis, kGallery, -kHalfLength + 0.5 * kBay * k}, 0});
   const double length = 2 * kHalfLength;
-  // Closed boxes, so that no light leaks in.
-  build.use(m.brick, kBrickScale);
-  build.box({kOuterWall, 0, -kHalfLength}, {kOuterWall + 0.4, kGallery - 0.12, kHalfLength});
-  build.use(m.ochre, kPlainScale);
-  build.box({kOuterWall, kGallery - 0.12, -kHalfLength}, {kOuterWall + 0.4, kRoof, kHalfLength});
-  build.use(m.stone, kStoneScale);
-  build.box({kArcadeFace, kGallery - 0.25, -kHalfLength}, {kOuterWall, kGallery, kHalfLength});
-  build.use(m.wood, 1.0);
-  build.box({kUpperFace, kCeiling, -kHalfLength}, {kOuterWall + 0.4, kRoof, kHalfLength});
+  addShell(build, m);
   build.use(m.railing);
   for (const double y : {0.10, 0.5, 0.9})
     build.box({3.20, kGallery + y, -kHalfLength}, {3.24, kGallery + y + 0.04, kHalfLength});
