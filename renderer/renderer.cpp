@@ -1,95 +1,15 @@
-#include <halfsilver/renderer.h>
+#include "renderer_impl.h"
 
 #include <algorithm>
-#include <array>
-#include <deque>
 #include <limits>
-#include <optional>
-#include <string>
-#include <utility>
 
 #include <halfsilver/error.h>
-#include <halfsilver/ray_reader.h>
-#include "effects/ray_effect.h"
 #include "frame/frame_constants.h"
 #include "frame/gpu_scene.h"
-#include "frame/layers.h"
-#include "frame_record.h"
-#include "gl/framebuffer.h"
 #include "gl/program.h"
 #include "gl/state_guard.h"
-#include "passes/composite.h"
-#include "passes/gbuffer.h"
-#include "passes/motion.h"
-#include "passes/shade.h"
-#include "passes/shadows.h"
 
 namespace halfsilver {
-namespace {
-
-// Frames that may be under way, and frames whose figures may be: those, and one that has been reported.
-constexpr std::size_t kFrames = 2, kRecords = kFrames + 1;
-
-}  // namespace
-
-struct Renderer::Impl {
-  Impl(const std::function<Proc(const char*)>& getProcAddress, std::vector<Method> brought)
-      : api(gl::Api::load(getProcAddress)), methods(std::move(brought)) {}
-
-  gl::Api api;
-  std::vector<Method> methods;  // the caller's own
-  ShadowPass shadowPass{api};
-  GBufferPass gbufferPass{api};
-  MotionPass motionPass{api};
-  ShadePass shadePass{api};
-  CompositePass compositePass{api};
-  std::unique_ptr<RayEffect> effect = makeEffect(api, {});
-
-  GpuScene scene;
-  std::vector<Light> lights;
-  Sky sky;
-  bool hasScene = false;
-  SceneChange change;              // since the tracer was updated
-  std::vector<VertexRange> moved;  // since the last frame
-
-  ShadowMaps shadows;
-  std::optional<ShadowSettings> shadowSettings;  // of the maps; none: they are out of date
-  ShadowChange shadowChange;                     // since they were drawn
-  std::vector<std::string> shadowWarnings;
-  std::unique_ptr<Tracer> tracer;
-  std::optional<Settings> tracerSettings;  // of the tracer, which is null for "none"
-
-  // A frame under way, and its figures.
-  struct Work {
-    std::size_t frame, record;
-  };
-  std::array<Frame, kFrames> frames;
-  std::array<FrameRecord, kRecords> records{FrameRecord(api), FrameRecord(api), FrameRecord(api)};
-  std::deque<Work> underWay;            // the oldest first
-  std::optional<std::size_t> shown;     // the frame that finished last, until another one takes its memory
-  std::optional<std::size_t> reported;  // the record of the frame that finished last
-  std::deque<std::size_t> unreported;   // records of finished frames, the oldest first
-
-  std::optional<RayReader> rayReader;  // of readLayers()
-
-  FrameView viewOf(Frame& frame, gl::Profiler& profiler) const {
-    return {scene, shadows, frame.constants, frame.host, profiler, frame.gbuffer};
-  }
-  std::size_t takeRecord();
-  bool keepsWork() const;
-  std::vector<shared::RayWork> readWork();
-  void useTracer(const Settings& wanted);
-  void drawShadows(const Settings& wanted, gl::Profiler& profiler);
-  std::uint32_t maxRays(const Settings& wanted) const;
-  void reserveHits(const RayQueue& rays, Hits& hits) const;
-  void submitBatch(const FrameView& view, Frame& frame, std::size_t number);
-  void finishBatch(const FrameView& view, Frame& frame, RayBatch& batch);
-  void begin(const Camera& camera, const Settings& wanted, int width, int height);
-  void finish(const Target& target);
-  void noteChange(const SceneChange& changed);
-  void upload(const Scene& wanted, const SceneChange& changed);
-};
-
 // A record that neither a frame under way nor report() needs; if need be, the one that arrivedReport() missed longest.
 std::size_t Renderer::Impl::takeRecord() {
   const auto needed = [this](std::size_t record) {
@@ -102,19 +22,6 @@ std::size_t Renderer::Impl::takeRecord() {
   const std::size_t record = *oldest;
   unreported.erase(oldest);
   return record;
-}
-
-// The tracer keeps the work of the queue that it traced last: that of the shown frame, if it was the only one.
-bool Renderer::Impl::keepsWork() const {
-  const Frame& frame = frames[*shown];
-  return tracer && tracer->rayWork() && underWay.empty() && frame.settings.trace.countWork &&
-         frame.batches.size() == 1 && effect->generations(frame.settings) == 1;
-}
-
-std::vector<shared::RayWork> Renderer::Impl::readWork() {
-  const gl::Buffer& work = *tracer->rayWork();
-  const std::uint64_t rays = records[*reported].report().selected;
-  return work.read<shared::RayWork>(std::min<std::size_t>(rays, work.bytes() / sizeof(shared::RayWork)));
 }
 
 void Renderer::Impl::useTracer(const Settings& wanted) {
@@ -390,71 +297,6 @@ std::vector<std::string> Renderer::reloadShaders() {
     throw Error(ErrorKind::usage, "reloadShaders(): a frame is under way, finish() it first");
   const gl::StateGuard guard(impl_->api);
   return gl::reloadPrograms(impl_->api);
-}
-
-Image Renderer::readLayers() const {
-  Impl& r = *impl_;
-  if (!r.shown)
-    throw Error(ErrorKind::usage,
-                "readLayers() needs a finished frame of the present scene whose memory no begin() has taken");
-  const gl::StateGuard guard(r.api);
-  Frame& frame = r.frames[*r.shown];
-  const gl::Texture linear(r.api, {.format = GL_RGBA32F, .width = frame.gbuffer.width, .height = frame.gbuffer.height},
-                           "linear picture");
-  const gl::Framebuffer framebuffer(r.api);
-  framebuffer.attach(GL_COLOR_ATTACHMENT0, linear);
-  gl::Profiler untimed(r.api);
-  r.compositePass.run(r.viewOf(frame, untimed), frame.gbuffer, CompositePass::Output::linear, framebuffer.name(),
-                      {0, 0});
-  // Images and buffers (all stages) are read by the host.
-  r.api.MemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
-  if (!r.rayReader) r.rayReader.emplace(r.api);
-  const std::vector<shared::RayWork> work = r.reported && r.keepsWork() ? r.readWork() : std::vector<shared::RayWork>();
-  return assembleLayers(r.viewOf(frame, untimed), linear, frame.batches, work, *r.rayReader);
-}
-
-std::optional<Picked> Renderer::pick(int x, int y) const {
-  const Impl& r = *impl_;
-  if (!r.shown)
-    throw Error(ErrorKind::usage, "pick() needs a finished frame of the present scene: call render() first");
-  const GBuffer& gbuffer = r.frames[*r.shown].gbuffer;
-  if (x < 0 || y < 0 || x >= gbuffer.width || y >= gbuffer.height) return std::nullopt;
-  const gl::StateGuard guard(r.api);
-  const gl::Framebuffer framebuffer(r.api);
-  r.api.BindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer.name());
-  // The G-buffer's images are read by the host.
-  r.api.MemoryBarrier(GL_FRAMEBUFFER_BARRIER_BIT);
-  GLuint visible = 0;
-  framebuffer.attach(GL_COLOR_ATTACHMENT0, gbuffer.visibility);
-  r.api.ReadPixels(x, y, 1, 1, GL_RED_INTEGER, GL_UNSIGNED_INT, &visible);
-  if (visible == 0) return std::nullopt;
-  glm::vec4 position(0);
-  framebuffer.attach(GL_COLOR_ATTACHMENT0, gbuffer.position);
-  r.api.ReadPixels(x, y, 1, 1, GL_RGBA, GL_FLOAT, &position);
-  return Picked{visible - 1, glm::vec3(position)};
-}
-
-StructureCells Renderer::readStructure() const {
-  if (!impl_->tracer) return {};
-  const gl::StateGuard guard(impl_->api);
-  // Builds write the structure's buffers; the host reads them.
-  impl_->api.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-  return impl_->tracer->cells();
-}
-
-std::vector<RayWork> Renderer::readRayWork() {
-  Impl& r = *impl_;
-  if (!r.shown || !r.reported)
-    throw Error(ErrorKind::usage, "readRayWork() needs a finished frame of the present scene: call render() first");
-  const gl::StateGuard guard(r.api);
-  if (!r.tracer || !r.tracer->rayWork()) return {};
-  if (!r.keepsWork())
-    throw Error(ErrorKind::usage, r.underWay.empty()
-                                      ? "readRayWork() needs a frame of one bounce whose rays come in one batch"
-                                      : "readRayWork(): a frame is under way, finish() it first");
-  std::vector<RayWork> result;
-  for (const shared::RayWork& work : r.readWork()) result.push_back({work.steps, work.tests});
-  return result;
 }
 
 }  // namespace halfsilver

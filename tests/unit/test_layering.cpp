@@ -115,7 +115,7 @@ std::string room(const fs::path& path) {
   }
   if (first != path) return kMayInclude.contains(first) || first == "shared" ? first : "";
   const std::string stem = path.stem().string();
-  if (stem == "frame_record") return "renderer";
+  if (stem == "frame_record" || stem.starts_with("renderer_")) return "renderer";
   return stem == "settings" || stem == "renderer" || stem == "budget" ? stem : "";
 }
 

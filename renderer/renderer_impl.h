@@ -1,0 +1,87 @@
+#pragma once
+
+#include <halfsilver/renderer.h>
+
+#include <array>
+#include <cstddef>
+#include <deque>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <halfsilver/ray_reader.h>
+#include "effects/ray_effect.h"
+#include "frame_record.h"
+#include "passes/composite.h"
+#include "passes/gbuffer.h"
+#include "passes/motion.h"
+#include "passes/shade.h"
+#include "passes/shadows.h"
+
+namespace halfsilver {
+
+// All that a renderer owns. renderer.cpp draws frames, renderer_reads.cpp reads back what they show.
+struct Renderer::Impl {
+  // Frames that may be under way, and frames whose figures may be: those, and one that has been reported.
+  static constexpr std::size_t kFrames = 2, kRecords = kFrames + 1;
+
+  Impl(const std::function<Proc(const char*)>& getProcAddress, std::vector<Method> brought)
+      : api(gl::Api::load(getProcAddress)), methods(std::move(brought)) {}
+
+  gl::Api api;
+  std::vector<Method> methods;  // the caller's own
+  ShadowPass shadowPass{api};
+  GBufferPass gbufferPass{api};
+  MotionPass motionPass{api};
+  ShadePass shadePass{api};
+  CompositePass compositePass{api};
+  std::unique_ptr<RayEffect> effect = makeEffect(api, {});
+
+  GpuScene scene;
+  std::vector<Light> lights;
+  Sky sky;
+  bool hasScene = false;
+  SceneChange change;              // since the tracer was updated
+  std::vector<VertexRange> moved;  // since the last frame
+
+  ShadowMaps shadows;
+  std::optional<ShadowSettings> shadowSettings;  // of the maps; none: they are out of date
+  ShadowChange shadowChange;                     // since they were drawn
+  std::vector<std::string> shadowWarnings;
+  std::unique_ptr<Tracer> tracer;
+  std::optional<Settings> tracerSettings;  // of the tracer, which is null for "none"
+
+  // A frame under way, and its figures.
+  struct Work {
+    std::size_t frame, record;
+  };
+  std::array<Frame, kFrames> frames;
+  std::array<FrameRecord, kRecords> records{FrameRecord(api), FrameRecord(api), FrameRecord(api)};
+  std::deque<Work> underWay;            // the oldest first
+  std::optional<std::size_t> shown;     // the frame that finished last, until another one takes its memory
+  std::optional<std::size_t> reported;  // the record of the frame that finished last
+  std::deque<std::size_t> unreported;   // records of finished frames, the oldest first
+
+  std::optional<RayReader> rayReader;  // of readLayers()
+
+  FrameView viewOf(Frame& frame, gl::Profiler& profiler) const {
+    return {scene, shadows, frame.constants, frame.host, profiler, frame.gbuffer};
+  }
+  std::size_t takeRecord();
+  bool keepsWork() const;
+  std::vector<shared::RayWork> readWork();
+  void useTracer(const Settings& wanted);
+  void drawShadows(const Settings& wanted, gl::Profiler& profiler);
+  std::uint32_t maxRays(const Settings& wanted) const;
+  void reserveHits(const RayQueue& rays, Hits& hits) const;
+  void submitBatch(const FrameView& view, Frame& frame, std::size_t number);
+  void finishBatch(const FrameView& view, Frame& frame, RayBatch& batch);
+  void begin(const Camera& camera, const Settings& wanted, int width, int height);
+  void finish(const Target& target);
+  void noteChange(const SceneChange& changed);
+  void upload(const Scene& wanted, const SceneChange& changed);
+};
+
+}  // namespace halfsilver
