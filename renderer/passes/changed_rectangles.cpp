@@ -73,13 +73,13 @@ Rectangle covered(const ShadowView& view, const Bounds& box) {
           glm::min(origin + glm::ivec2(glm::ceil(texels(high))) + 1, whole.high)};
 }
 
-// Joins the pair that wastes the least, if that is at most `most`.
-bool joinClosest(std::vector<Rectangle>& rectangles, long long most) {
+// Joins the pair that wastes the least, if that is at most `maxWaste`.
+bool joinClosest(std::vector<Rectangle>& rectangles, long long maxWaste) {
   std::optional<std::array<std::size_t, 2>> closest;
   for (std::size_t a = 0; a < rectangles.size(); ++a)
     for (std::size_t b = a + 1; b < rectangles.size(); ++b)
-      if (const long long wasted = waste(rectangles[a], rectangles[b]); wasted <= most) {
-        most = wasted - 1;
+      if (const long long wasted = waste(rectangles[a], rectangles[b]); wasted <= maxWaste) {
+        maxWaste = wasted - 1;
         closest = {a, b};
       }
   if (!closest) return false;

@@ -7,7 +7,7 @@
 namespace halfsilver::demo {
 namespace {
 
-constexpr std::size_t kMostCells = 3000;
+constexpr std::size_t kMaxCells = 3000;
 constexpr float kNearest = 1e-3f;  // of the distance to the target: behind it there is nothing to see
 
 class Projection {
@@ -53,10 +53,10 @@ std::vector<Segment> cellLines(const StructureCells& structure, Cells cells, con
     return !center || glm::any(glm::lessThan(*center, glm::vec2(-0.1f))) ||
            glm::any(glm::greaterThan(*center, glm::vec2(1.1f)));
   });
-  if (shown.size() > kMostCells) {
-    std::nth_element(shown.begin(), shown.begin() + kMostCells, shown.end(),
+  if (shown.size() > kMaxCells) {
+    std::nth_element(shown.begin(), shown.begin() + kMaxCells, shown.end(),
                      [&](const StructureCell& a, const StructureCell& b) { return distance(a) < distance(b); });
-    shown.resize(kMostCells);
+    shown.resize(kMaxCells);
   }
   std::vector<Segment> segments;
   for (const StructureCell& cell : shown) {

@@ -33,7 +33,7 @@ void FrameLog::add(const FrameFigures& figures) {
   for (const StageTime& time : figures.report.times)
     stages_[time.stage].milliseconds[next_] += static_cast<float>(std::max(0.0, time.milliseconds));
   for (auto& [stage, series] : stages_)
-    series.most = *std::max_element(series.milliseconds.begin(), series.milliseconds.end());
+    series.max = *std::max_element(series.milliseconds.begin(), series.milliseconds.end());
   next_ = (next_ + 1) % kFrames;
 }
 

@@ -33,7 +33,7 @@ class FrameLog {
 
   struct Series {
     std::array<float, kFrames> milliseconds{};  // a ring; `first` is the oldest
-    float most = 0;                             // of the frames in the ring
+    float max = 0;                              // of the frames in the ring
   };
   const std::map<std::string, Series>& stages() const { return stages_; }
   int first() const { return static_cast<int>(next_); }

@@ -18,7 +18,7 @@ void drawPlots(const FrameLog& log, float scale) {
                   static_cast<double>(series.milliseconds[static_cast<std::size_t>(last)]));
     ImGui::PushID(stage.c_str());
     ImGui::PlotLines("##plot", series.milliseconds.data(), static_cast<int>(FrameLog::kFrames), log.first(), label, 0,
-                     std::max(1.0f, 1.1f * series.most), {170 * scale, 26 * scale});
+                     std::max(1.0f, 1.1f * series.max), {170 * scale, 26 * scale});
     ImGui::PopID();
     ImGui::SameLine();
     ImGui::TextUnformatted(stage.c_str());
