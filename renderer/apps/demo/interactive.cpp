@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <ctime>
 #include <filesystem>
 
 #include <halfsilver/error.h>
@@ -112,8 +111,7 @@ class Interactive {
     if (Viewer* scene = viewer()) scene->setWindowHeight(window_.size().height);
     const auto start = std::chrono::steady_clock::now();
     session_.advance(controls, options_.frozen ? 0 : seconds);
-    drawPicture(start);
-    followClicks(controls);
+    if (drawPicture(start)) followClicks(controls);
     const std::vector<Segment> cells = session_.cells(options_);
     OverlayState state{options_, log_,          session_.playing().model(), viewer(), clicked_,
                        message_, holder_.say(), session_.status(options_),  cells};
@@ -124,19 +122,21 @@ class Interactive {
     session_.update(change);
   }
 
-  // Settings that the device cannot draw are taken back.
-  void drawPicture(std::chrono::steady_clock::time_point start) {
+  // Settings that the device cannot draw are taken back; false if there is no picture of this frame.
+  bool drawPicture(std::chrono::steady_clock::time_point start) {
     try {
       FrameFigures figures = session_.draw(window_.size(), holder_.scale(options_), holder_.options(options_), false);
       figures.wallMilliseconds = millisecondsSince(start);
       holder_.learn(figures);
       log_.add(figures);
       good_ = options_;
+      return true;
     } catch (const Error& error) {
       message_ = error.what();
       options_.settings = good_.settings;
       options_.other = good_.other;
       options_.view = View::picture;
+      return false;
     }
   }
 
@@ -210,8 +210,8 @@ class Interactive {
     attempt([&] {
       const Size size{times * window_.size().width, times * window_.size().height};
       session_.draw(size, 1, options_, true);
-      AtomicFile file(freeName(".png"));
       const std::filesystem::path name = freeName(".png");
+      AtomicFile file(name);
       file.write(encodePng(size.width, size.height, session_.read()));
       file.commit();
       return "saved " + name.string();
