@@ -85,36 +85,36 @@ void apply(const Channel& channel, float time, Node& node, std::vector<double>& 
   }
 }
 
-// The matrix of each joint, from the skin's bind pose to the world.
-std::vector<glm::dmat4> jointMatrices(const Rig& rig, const Instance& instance, const PoseState& state) {
-  std::vector<glm::dmat4> matrices;
-  if (instance.skin < 0) return matrices;
+const Skin* skinOf(const Rig& rig, const Instance& instance) {
+  if (instance.skin < 0) return nullptr;
   const Skin& skin = rig.skins[static_cast<std::size_t>(instance.skin)];
-  for (std::size_t j = 0; j < skin.joints.size(); ++j)
-    matrices.push_back(state.world[static_cast<std::size_t>(skin.joints[j])] * skin.inverseBind[j]);
-  return matrices;
+  return skin.joints.empty() ? nullptr : &skin;
 }
 
 // The transform of one vertex from its rest pose to the world.
 struct Placer {
   const Instance& instance;
-  const glm::dmat4& node;
   const std::vector<double>& weights;
-  std::vector<glm::dmat4> joints;
+  std::vector<glm::dmat4> matrices;
+  bool skinned;
 
   Placer(const Rig& rig, const Instance& placed, const PoseState& state)
       : instance(placed),
-        node(state.world[static_cast<std::size_t>(placed.node)]),
         weights(state.weights[static_cast<std::size_t>(placed.node)]),
-        joints(jointMatrices(rig, placed, state)) {}
+        matrices(placingMatrices(rig, placed, state)),
+        skinned(skinOf(rig, placed) != nullptr) {}
 
   glm::dmat4 matrix(std::size_t vertex) const {
-    if (joints.empty()) return node;
+    if (!skinned) return matrices.front();
     glm::dmat4 sum(0);
-    for (int k = 0; k < 4; ++k)
-      if (const double weight = instance.weights[vertex][k]; weight != 0)
-        sum += weight * joints[instance.joints[vertex][k]];
-    return sum;
+    double total = 0;  // 1 up to the rounding of floats, which far from the origin is a visible distance
+    for (int k = 0; k < 4; ++k) {
+      const double weight = instance.weights[vertex][k];
+      if (weight == 0) continue;
+      sum += weight * matrices[instance.joints[vertex][k]];
+      total += weight;
+    }
+    return total > 0 ? sum / total : sum;
   }
 
   glm::dvec3 morphed(glm::dvec3 value, std::size_t vertex,
@@ -221,18 +221,35 @@ std::vector<int> compatibleAnimations(const Rig& rig) {
   return compatible;
 }
 
-bool mirrored(const Rig& rig, const Instance& instance, const PoseState& state) {
-  const std::vector<glm::dmat4> joints = jointMatrices(rig, instance, state);
-  if (joints.empty()) return glm::determinant(glm::dmat3(state.world[static_cast<std::size_t>(instance.node)])) < 0;
-  std::vector<double> shares(joints.size());
+std::vector<glm::dmat4> placingMatrices(const Rig& rig, const Instance& instance, const PoseState& state) {
+  const Skin* const skin = skinOf(rig, instance);
+  if (!skin) return {state.world[static_cast<std::size_t>(instance.node)]};
+  std::vector<glm::dmat4> matrices;
+  for (std::size_t j = 0; j < skin->joints.size(); ++j)
+    matrices.push_back(state.world[static_cast<std::size_t>(skin->joints[j])] * skin->inverseBind[j]);
+  return matrices;
+}
+
+std::vector<double> matrixShares(const Rig& rig, const Instance& instance) {
+  const Skin* const skin = skinOf(rig, instance);
+  if (!skin) return {1};
+  std::vector<double> shares(skin->joints.size());
   for (std::size_t i = 0; i < instance.joints.size(); ++i)
     for (int k = 0; k < 4; ++k) shares[instance.joints[i][k]] += static_cast<double>(instance.weights[i][k]);
+  return shares;
+}
+
+bool mirrored(std::span<const glm::dmat4> matrices, std::span<const double> shares) {
   double turned = 0;
-  for (std::size_t j = 0; j < joints.size(); ++j) {
-    const double determinant = glm::determinant(glm::dmat3(joints[j]));
+  for (std::size_t j = 0; j < matrices.size(); ++j) {
+    const double determinant = glm::determinant(glm::dmat3(matrices[j]));
     turned += shares[j] * (determinant < 0 ? 1 : determinant > 0 ? -1 : 0);
   }
   return turned > 0;
+}
+
+bool mirrored(const Rig& rig, const Instance& instance, const PoseState& state) {
+  return mirrored(placingMatrices(rig, instance, state), matrixShares(rig, instance));
 }
 
 std::vector<glm::dvec3> worldPositions(const Rig& rig, const Instance& instance, const PoseState& state) {
@@ -291,6 +308,28 @@ void follow(Light& light, const glm::dmat4& world, const glm::dvec3& origin) {
   light.direction = glm::vec3(unit(-glm::dvec3(world[2]), {0, 0, -1}));
 }
 
+bool followLights(std::span<const int> nodes, const PoseState& state, const glm::dvec3& origin,
+                  std::span<Light> lights) {
+  bool moved = false;
+  for (std::size_t i = 0; i < std::min(nodes.size(), lights.size()); ++i) {
+    if (nodes[i] < 0) continue;
+    const Light before = lights[i];
+    follow(lights[i], state.world[static_cast<std::size_t>(nodes[i])], origin);
+    moved |= before.position != lights[i].position || before.direction != lights[i].direction;
+  }
+  return moved;
+}
+
+Camera posedCamera(const Model& model, const PoseState& state, std::size_t camera) {
+  if (camera >= model.scene.cameras.size())
+    throw Error(ErrorKind::usage, "there is no camera " + std::to_string(camera) + "; the scene has " +
+                                      std::to_string(model.scene.cameras.size()));
+  Camera posed = model.scene.cameras[camera];
+  const int node = camera < model.rig.cameraNodes.size() ? model.rig.cameraNodes[camera] : -1;
+  if (node >= 0) follow(posed, state.world[static_cast<std::size_t>(node)], model.scene.origin);
+  return posed;
+}
+
 SceneChange pose(Model& model, const PoseState& state) {
   Scene& scene = model.scene;
   SceneChange change;
@@ -313,16 +352,8 @@ SceneChange pose(Model& model, const PoseState& state) {
     else
       change.moved.push_back({instance.firstVertex, instance.vertexCount});
   }
-  for (std::size_t i = 0; i < model.rig.lightNodes.size(); ++i) {
-    const int node = model.rig.lightNodes[i];
-    if (node < 0) continue;
-    const Light before = scene.lights[i];
-    follow(scene.lights[i], state.world[static_cast<std::size_t>(node)], scene.origin);
-    change.lights |= before.position != scene.lights[i].position || before.direction != scene.lights[i].direction;
-  }
-  for (std::size_t i = 0; i < model.rig.cameraNodes.size(); ++i)
-    if (const int node = model.rig.cameraNodes[i]; node >= 0)
-      follow(scene.cameras[i], state.world[static_cast<std::size_t>(node)], scene.origin);
+  change.lights = followLights(model.rig.lightNodes, state, scene.origin, scene.lights);
+  for (std::size_t i = 0; i < scene.cameras.size(); ++i) scene.cameras[i] = posedCamera(model, state, i);
   return change;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <glm/glm.hpp>
 #include <span>
 #include <vector>
@@ -39,5 +40,9 @@ std::vector<int> compatibleAnimations(const Rig& rig);
 // Throws Error (badInput) if vertices leave the range of floats.
 SceneChange pose(Model& model, const PoseState& state);
 SceneChange pose(Model& model, std::span<const Playing> playing);
+
+// A camera of the scene as it is in a pose: at its node, if it is attached to one. Throws Error (usage) for an unknown
+// one.
+Camera posedCamera(const Model& model, const PoseState& state, std::size_t camera);
 
 }  // namespace halfsilver
