@@ -8,6 +8,8 @@
 #include "frame/gpu_scene.h"
 #include "gl/program.h"
 #include "gl/state_guard.h"
+#include "scene/pose.h"
+#include "scene/vertex_ranges.h"
 
 namespace halfsilver {
 // A record that neither a frame under way nor report() needs; if need be, the one that arrivedReport() missed longest.
@@ -106,6 +108,7 @@ void Renderer::Impl::begin(const Camera& camera, const Settings& wanted, int wid
   record.begin();
   const auto section = record.profiler().section("frame");
   useTracer(wanted);
+  if (rig) posePass.run(*rig, scene, record.profiler());
   drawShadows(wanted, record.profiler());
   const shared::FrameConstants constants =
       makeFrameConstants(camera, scene.extents.bounds(), sky, wanted, width, height, shadows.ranges);
@@ -169,7 +172,7 @@ void Renderer::Impl::finish(const Target& target) {
   held.geometry = scene.geometryBytes();
   held.textures = scene.textureBytes();
   held.shadowMaps = shadows.bytes();
-  held.geometry += motionPass.bytes();
+  held.geometry += motionPass.bytes() + (rig ? rig->bytes() : 0);
   held.peak = held.geometry + held.textures + held.shadowMaps;
   for (const Frame& each : frames) {
     held.queues += each.bytes() - each.gbuffer.bytes();
@@ -203,6 +206,35 @@ void Renderer::Impl::upload(const Scene& wanted, const SceneChange& changed) {
   noteChange(changed);
 }
 
+// Everything of the scene before goes.
+void Renderer::Impl::load(const Scene& wanted, std::vector<PosedPart> posed) {
+  hasScene = false;
+  shown.reset();
+  reported.reset();
+  unreported.clear();
+  tracer.reset();  // it knows the old scene
+  tracerSettings.reset();
+  shadowSettings.reset();
+  shadowChange = {};
+  scene = GpuScene();  // its memory goes before the new one's comes
+  scene = uploadScene(api, wanted, std::move(posed));
+  lights = wanted.lights;
+  sky = wanted.sky;
+  change = SceneChange::everything();
+  moved.clear();
+  motionPass.forget();
+  hasScene = true;
+}
+
+void Renderer::Impl::pose(const PoseState& state) {
+  motionPass.advance(scene);
+  GpuRig::Change posed = rig->take(state, scene);
+  posed.scene.lights = followLights(rig->lightNodes(), state, rig->origin(), lights);
+  if (!posed.scene.any()) return;
+  shadowChange.add(posed.touched);
+  noteChange(posed.scene);
+}
+
 Renderer::Renderer(const std::function<Proc(const char*)>& getProcAddress, TracerFactory exact)
     : Renderer(getProcAddress,
                exact ? std::vector<Method>{{methodInfo("exact"), std::move(exact)}} : std::vector<Method>()) {}
@@ -220,22 +252,26 @@ void Renderer::setScene(const Scene& scene) {
   Impl& r = *impl_;
   if (!r.underWay.empty()) throw Error(ErrorKind::usage, "setScene(): a frame is under way, finish() it first");
   const gl::StateGuard guard(r.api);
+  r.rig.reset();
+  r.load(scene, {});
+}
+
+void Renderer::setModel(const Model& model) {
+  Impl& r = *impl_;
+  if (!r.underWay.empty()) throw Error(ErrorKind::usage, "setModel(): a frame is under way, finish() it first");
+  const gl::StateGuard guard(r.api);
   r.hasScene = false;
-  r.shown.reset();
-  r.reported.reset();
-  r.unreported.clear();
-  r.tracer.reset();  // it knows the old scene
-  r.tracerSettings.reset();
-  r.shadowSettings.reset();
-  r.shadowChange = {};
-  r.scene = GpuScene();  // its memory goes before the new one's comes
-  r.scene = uploadScene(r.api, scene);
-  r.lights = scene.lights;
-  r.sky = scene.sky;
-  r.change = SceneChange::everything();
-  r.moved.clear();
-  r.motionPass.forget();
-  r.hasScene = true;
+  r.rig.reset();  // its memory goes before the new one's comes
+  r.rig.emplace(r.api, model);
+  r.load(model.scene, posedParts(model));
+}
+
+void Renderer::pose(const PoseState& state) {
+  Impl& r = *impl_;
+  if (!r.hasScene || !r.rig) throw Error(ErrorKind::usage, "pose() needs a model: call setModel() first");
+  if (!r.underWay.empty()) throw Error(ErrorKind::usage, "pose(): a frame is under way, finish() it first");
+  const gl::StateGuard guard(r.api);
+  r.pose(state);
 }
 
 void Renderer::update(const Scene& scene, const SceneChange& change) {
@@ -244,6 +280,11 @@ void Renderer::update(const Scene& scene, const SceneChange& change) {
   if (!r.underWay.empty()) throw Error(ErrorKind::usage, "update(): a frame is under way, finish() it first");
   if (change.topology) throw Error(ErrorKind::usage, "update(): another topology is another scene, call setScene()");
   if (!change.any()) return;
+  const std::vector<VertexRange> ranges = mergeRanges(change.moved);
+  for (const PosedPart& part : r.scene.extents.posed())
+    if (part.vertices.count > 0 &&
+        touchesRange(ranges, part.vertices.first, part.vertices.first + part.vertices.count - 1))
+      throw Error(ErrorKind::usage, "update(): the vertices are those of an animated instance, which pose() moves");
   const gl::StateGuard guard(r.api);
   r.upload(scene, change);
 }

@@ -13,10 +13,12 @@
 
 #include <halfsilver/ray_reader.h>
 #include "effects/ray_effect.h"
+#include "frame/gpu_rig.h"
 #include "frame_record.h"
 #include "passes/composite.h"
 #include "passes/gbuffer.h"
 #include "passes/motion.h"
+#include "passes/pose.h"
 #include "passes/shade.h"
 #include "passes/shadows.h"
 
@@ -32,6 +34,7 @@ struct Renderer::Impl {
 
   gl::Api api;
   std::vector<Method> methods;  // the caller's own
+  PosePass posePass{api};
   ShadowPass shadowPass{api};
   GBufferPass gbufferPass{api};
   MotionPass motionPass{api};
@@ -40,6 +43,7 @@ struct Renderer::Impl {
   std::unique_ptr<RayEffect> effect = makeEffect(api, {});
 
   GpuScene scene;
+  std::optional<GpuRig> rig;  // of setModel()
   std::vector<Light> lights;
   Sky sky;
   bool hasScene = false;
@@ -81,6 +85,8 @@ struct Renderer::Impl {
   void begin(const Camera& camera, const Settings& wanted, int width, int height);
   void finish(const Target& target);
   void noteChange(const SceneChange& changed);
+  void load(const Scene& wanted, std::vector<PosedPart> posed);
+  void pose(const PoseState& state);
   void upload(const Scene& wanted, const SceneChange& changed);
 };
 

@@ -76,19 +76,6 @@ shared::GpuMaterial packMaterial(const Material& material, bool holes, const Alp
   return packed;
 }
 
-void writeVertices(GpuScene& gpu, const Scene& scene, std::size_t first, std::size_t count) {
-  std::vector<float> positions(3 * count);
-  std::vector<shared::VertexAttributes> attributes(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const Vertex& vertex = scene.vertices[first + i];
-    for (int axis = 0; axis < 3; ++axis) positions[3 * i + static_cast<std::size_t>(axis)] = vertex.position[axis];
-    attributes[i] = {vertex.normal, vertex.tangent.w, glm::vec3(vertex.tangent), 0, vertex.uv[0],
-                     vertex.uv[1],  vertex.color};
-  }
-  gpu.positions.write(std::span<const float>(positions), 3 * first);
-  gpu.attributes.write(std::span<const shared::VertexAttributes>(attributes), first);
-}
-
 std::array<const TextureUse*, 7> textureUses(const Material& material) {
   return {&material.baseColorTexture,    &material.metallicRoughnessTexture, &material.normalTexture,
           &material.occlusionTexture,    &material.emissiveTexture,          &material.specularTexture,
@@ -132,17 +119,22 @@ std::vector<std::uint32_t> groupTriangles(const Scene& scene, const std::vector<
   return order;
 }
 
-glm::uvec4 packTriangle(const Triangle& triangle) {
-  return {triangle.vertices[0], triangle.vertices[1], triangle.vertices[2], triangle.material};
+std::vector<glm::uvec4> packTriangles(std::span<const Triangle> triangles) {
+  std::vector<glm::uvec4> packed;
+  packed.reserve(triangles.size());
+  for (const Triangle& triangle : triangles)
+    packed.emplace_back(triangle.vertices[0], triangle.vertices[1], triangle.vertices[2], triangle.material);
+  return packed;
 }
 
-void uploadIndices(const gl::Api& api, GpuScene& gpu, const Scene& scene, std::span<const std::uint32_t> order) {
+void uploadIndices(const gl::Api& api, GpuScene& gpu, std::span<const glm::uvec4> triangles,
+                   std::span<const std::uint32_t> order) {
   std::vector<std::uint32_t> indices;
   for (const DrawRange& range : gpu.drawRanges) {
     if (range.cut) continue;
     for (std::uint32_t i = range.first; i < range.first + range.count; ++i) {
-      const auto& vertices = scene.triangles[order[i]].vertices;
-      indices.insert(indices.end(), vertices.begin(), vertices.end());
+      const glm::uvec4& triangle = triangles[order[i]];
+      indices.insert(indices.end(), {triangle.x, triangle.y, triangle.z});
     }
   }
   gpu.indices = gl::makeBuffer(api, std::span<const std::uint32_t>(indices), "indices");
@@ -150,17 +142,14 @@ void uploadIndices(const gl::Api& api, GpuScene& gpu, const Scene& scene, std::s
 
 void uploadTurned(const gl::Api& api, GpuScene& gpu, const Scene& scene, std::span<const TriangleRange> ranges) {
   if (ranges.empty()) return;
-  for (const TriangleRange& range : ranges) {
-    std::vector<glm::uvec4> triangles;
-    triangles.reserve(range.count);
-    for (std::uint32_t t = range.first; t < range.first + range.count; ++t)
-      triangles.push_back(packTriangle(scene.triangles[t]));
-    gpu.triangles.write(std::span<const glm::uvec4>(triangles), range.first);
-  }
-  uploadIndices(api, gpu, scene, gpu.clusters.drawList());
+  const std::vector<glm::uvec4> triangles = packTriangles(scene.triangles);
+  for (const TriangleRange& range : ranges)
+    gpu.triangles.write(std::span(triangles).subspan(range.first, range.count), range.first);
+  uploadIndices(api, gpu, triangles, gpu.clusters.drawList());
 }
 
-void uploadMaterials(const gl::Api& api, GpuScene& gpu, const Scene& scene, const std::vector<bool>& holes) {
+void uploadMaterials(const gl::Api& api, GpuScene& gpu, const Scene& scene, std::span<const glm::uvec4> triangles,
+                     const std::vector<bool>& holes) {
   AlphaTexels alphas = uploadAlphas(api, scene, holes);
   gpu.alphas = std::move(alphas.texels);
   std::vector<shared::GpuMaterial> materials;
@@ -170,8 +159,8 @@ void uploadMaterials(const gl::Api& api, GpuScene& gpu, const Scene& scene, cons
   gpu.drawRanges.clear();
   std::vector<std::uint32_t> order = groupTriangles(scene, holes, gpu.drawRanges);
   gpu.drawList = gl::makeBuffer(api, std::span<const std::uint32_t>(order), "draw list");
-  uploadIndices(api, gpu, scene, order);
-  gpu.clusters = DrawClusters(scene, std::move(order), gpu.drawRanges);
+  uploadIndices(api, gpu, triangles, order);
+  gpu.clusters = DrawClusters(scene, std::move(order), gpu.drawRanges, gpu.extents.posed());
 }
 
 void requireCount(std::size_t has, std::size_t uploaded, const char* what) {
@@ -204,22 +193,54 @@ void checkChange(const GpuScene& gpu, const Scene& scene, const SceneChange& cha
 
 }  // namespace
 
-GpuScene uploadScene(const gl::Api& api, const Scene& scene) {
+void writeVertices(GpuScene& gpu, std::span<const Vertex> vertices, std::size_t first) {
+  std::vector<float> positions(3 * vertices.size());
+  std::vector<shared::VertexAttributes> attributes(vertices.size());
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const Vertex& vertex = vertices[i];
+    for (int axis = 0; axis < 3; ++axis) positions[3 * i + static_cast<std::size_t>(axis)] = vertex.position[axis];
+    attributes[i] = {vertex.normal, vertex.tangent.w, glm::vec3(vertex.tangent), 0, vertex.uv[0],
+                     vertex.uv[1],  vertex.color};
+  }
+  gpu.positions.write(std::span<const float>(positions), 3 * first);
+  gpu.attributes.write(std::span<const shared::VertexAttributes>(attributes), first);
+}
+
+void turnTriangles(GpuScene& gpu, const TriangleRange& range) {
+  std::vector<glm::uvec4> triangles = gpu.triangles.read<glm::uvec4>(range.count, range.first);
+  for (glm::uvec4& triangle : triangles) std::swap(triangle.y, triangle.z);
+  gpu.triangles.write(std::span<const glm::uvec4>(triangles), range.first);
+  // Within a range of the draw list triangles keep the scene's order: these are neighbors.
+  const std::span<const std::uint32_t> drawList = gpu.clusters.drawList();
+  for (const DrawRange& drawn : gpu.drawRanges) {
+    if (drawn.cut) continue;
+    const auto numbers = drawList.subspan(drawn.first, drawn.count);
+    const auto first = std::lower_bound(numbers.begin(), numbers.end(), range.first);
+    const auto last = std::lower_bound(first, numbers.end(), range.first + range.count);
+    std::vector<std::uint32_t> indices;
+    for (auto number = first; number != last; ++number) {
+      const glm::uvec4& triangle = triangles[*number - range.first];
+      indices.insert(indices.end(), {triangle.x, triangle.y, triangle.z});
+    }
+    gpu.indices.write(std::span<const std::uint32_t>(indices),
+                      3 * (drawn.first + static_cast<std::size_t>(first - numbers.begin())));
+  }
+}
+
+GpuScene uploadScene(const gl::Api& api, const Scene& scene, std::vector<PosedPart> posed) {
   checkIndices(scene);
   GpuScene gpu;
   gpu.vertexCount = static_cast<std::uint32_t>(scene.vertices.size());
   gpu.triangleCount = static_cast<std::uint32_t>(scene.triangles.size());
   gpu.materialCount = static_cast<std::uint32_t>(scene.materials.size());
-  gpu.extents = SceneExtents(scene);
+  gpu.extents = SceneExtents(scene, std::move(posed));
 
   const std::size_t vertices = std::max<std::size_t>(1, scene.vertices.size());  // an empty buffer cannot be bound
   gpu.positions = gl::Buffer(api, vertices * 3 * sizeof(float), "positions");
   gpu.attributes = gl::Buffer(api, vertices * sizeof(shared::VertexAttributes), "attributes");
-  writeVertices(gpu, scene, 0, scene.vertices.size());
+  writeVertices(gpu, scene.vertices, 0);
 
-  std::vector<glm::uvec4> triangles;
-  triangles.reserve(scene.triangles.size());
-  for (const Triangle& triangle : scene.triangles) triangles.push_back(packTriangle(triangle));
+  const std::vector<glm::uvec4> triangles = packTriangles(scene.triangles);
   gpu.triangles = gl::makeBuffer(api, std::span<const glm::uvec4>(triangles), "triangles");
 
   const std::vector<bool> holes = materialsWithHoles(scene);
@@ -227,16 +248,23 @@ GpuScene uploadScene(const gl::Api& api, const Scene& scene) {
   gpu.textures = std::move(textures.buckets);
   gpu.textureLocations = std::move(textures.locations);
   gpu.warnings = std::move(textures.warnings);
-  uploadMaterials(api, gpu, scene, holes);
+  uploadMaterials(api, gpu, scene, triangles, holes);
   gpu.sky = uploadSky(api, scene.sky);
   return gpu;
 }
 
 std::vector<Bounds> updateScene(const gl::Api& api, GpuScene& gpu, const Scene& scene, const SceneChange& change) {
   checkChange(gpu, scene, change);
-  if (change.materials) uploadMaterials(api, gpu, scene, materialsWithHoles(scene));
+  if (change.materials) {
+    // Poses on the GPU may have turned what the caller's scene has not.
+    const bool posed = !gpu.extents.posed().empty();
+    uploadMaterials(api, gpu, scene,
+                    posed ? gpu.triangles.read<glm::uvec4>(scene.triangles.size()) : packTriangles(scene.triangles),
+                    materialsWithHoles(scene));
+  }
   if (change.sky) gpu.sky = uploadSky(api, scene.sky);
-  for (const VertexRange& range : change.moved) writeVertices(gpu, scene, range.first, range.count);
+  for (const VertexRange& range : change.moved)
+    writeVertices(gpu, std::span(scene.vertices).subspan(range.first, range.count), range.first);
   uploadTurned(api, gpu, scene, change.turned);
   gpu.extents.update(scene, change.moved);
   return gpu.clusters.update(scene, change.moved);

@@ -52,16 +52,22 @@ std::vector<DrawCluster> split(const Scene& scene, std::span<const std::uint32_t
 
 }  // namespace
 
-DrawClusters::DrawClusters(const Scene& scene, std::vector<std::uint32_t> drawList, std::span<const DrawRange> ranges)
+DrawClusters::DrawClusters(const Scene& scene, std::vector<std::uint32_t> drawList, std::span<const DrawRange> ranges,
+                           std::span<const PosedPart> posed)
     : drawList_(std::move(drawList)) {
-  for (const DrawRange& range : ranges)
-    for (std::uint32_t done = 0; done < range.count; done += kTriangles) {
+  for (const DrawRange& range : ranges) {
+    const std::uint32_t end = range.first + range.count;
+    for (std::uint32_t next = range.first; next < end;) {
       DrawCluster& cluster = clusters_.emplace_back();
-      cluster.first = range.first + done;
-      cluster.count = std::min(kTriangles, range.count - done);
+      cluster.first = next;
       cluster.cut = range.cut;
+      cluster.part = partOf(posed, drawList_[next]);
+      while (next < end && next - cluster.first < kTriangles && partOf(posed, drawList_[next]) == cluster.part) ++next;
+      cluster.count = next - cluster.first;
       measure(scene, drawList_, cluster);
+      if (cluster.part) cluster.bounds = posed[*cluster.part].bounds;
     }
+  }
 }
 
 std::vector<Bounds> DrawClusters::update(const Scene& scene, std::span<const VertexRange> moved) {
@@ -86,6 +92,17 @@ std::vector<Bounds> DrawClusters::update(const Scene& scene, std::span<const Ver
     }
   }
   clusters_ = std::move(clusters);
+  return touched;
+}
+
+std::vector<Bounds> DrawClusters::follow(std::span<const Bounds> parts) {
+  std::vector<Bounds> touched;
+  for (DrawCluster& cluster : clusters_) {
+    if (!cluster.part || parts[*cluster.part].empty()) continue;
+    if (!std::exchange(cluster.moves, true)) started_.push_back(cluster.bounds);
+    touched.push_back(std::exchange(cluster.bounds, parts[*cluster.part]));
+    touched.push_back(cluster.bounds);
+  }
   return touched;
 }
 

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numeric>
 #include <queue>
+#include <utility>
 
 #include "scene/vertex_ranges.h"
 
@@ -12,6 +13,8 @@ namespace halfsilver {
 namespace {
 
 constexpr float kWorthwhile = 4;
+// Of the longest side of a posed part's box, by which it grows beyond what it must.
+constexpr float kSlack = 0.125f;
 
 // 0 for an empty box, and never NaN.
 float longestSide(const Bounds& bounds) {
@@ -44,8 +47,16 @@ std::span<const Triangle> trianglesOf(const Scene& scene, std::size_t block) {
 
 }  // namespace
 
-SceneExtents::SceneExtents(const Scene& scene)
-    : blocks_((scene.triangles.size() + kBlockTriangles - 1) / kBlockTriangles) {
+std::optional<std::size_t> partOf(std::span<const PosedPart> posed, std::uint32_t triangle) {
+  const auto part = std::partition_point(posed.begin(), posed.end(), [triangle](const PosedPart& each) {
+    return each.triangles.first + each.triangles.count <= triangle;
+  });
+  if (part == posed.end() || part->triangles.first > triangle) return std::nullopt;
+  return static_cast<std::size_t>(part - posed.begin());
+}
+
+SceneExtents::SceneExtents(const Scene& scene, std::vector<PosedPart> posed)
+    : posed_(std::move(posed)), blocks_((scene.triangles.size() + kBlockTriangles - 1) / kBlockTriangles) {
   for (std::size_t block = 0; block < blocks_.size(); ++block) {
     Block& b = blocks_[block];
     b.firstVertex = std::numeric_limits<std::uint32_t>::max();
@@ -56,7 +67,20 @@ SceneExtents::SceneExtents(const Scene& scene)
       }
     measure(scene, block);
   }
+  for (PosedPart& part : posed_)
+    for (std::uint32_t t = 0; t < part.triangles.count; ++t)
+      add(part.bounds, boundsOf(scene, scene.triangles[part.triangles.first + t]));
   combine(scene);
+}
+
+void SceneExtents::hold(std::size_t part, const Bounds& box) {
+  Bounds& held = posed_[part].bounds;
+  if (box.empty() || !reachesBeyond(box, held)) return;
+  add(held, box);
+  const glm::vec3 slack(kSlack * longestSide(held));
+  held = {held.low - slack, held.high + slack};
+  add(bounds_, held);
+  add(core_.bounds, held);  // triangles that reach beyond it no more may still be called outer ones
 }
 
 std::vector<std::uint32_t> SceneExtents::blocksUsing(std::span<const VertexRange> merged) const {
@@ -75,15 +99,24 @@ std::size_t SceneExtents::update(const Scene& scene, std::span<const VertexRange
   return blocks.size();
 }
 
+// Calls visit(number, bounds) for each triangle of the block that is not posed.
+template <class Visit>
+void SceneExtents::forEachStill(const Scene& scene, std::size_t block, const Visit& visit) const {
+  auto number = static_cast<std::uint32_t>(block * kBlockTriangles);
+  for (const Triangle& triangle : trianglesOf(scene, block)) {
+    if (!partOf(posed_, number)) visit(number, boundsOf(scene, triangle));
+    ++number;
+  }
+}
+
 void SceneExtents::measure(const Scene& scene, std::size_t block) {
   Block& b = blocks_[block];
   b.bounds = Bounds();
   b.largest = 0;
-  for (const Triangle& triangle : trianglesOf(scene, block)) {
-    const Bounds bounds = boundsOf(scene, triangle);
+  forEachStill(scene, block, [&](std::uint32_t, const Bounds& bounds) {
     add(b.bounds, bounds);
     b.largest = std::max(b.largest, longestSide(bounds));
-  }
+  });
 }
 
 // The size of the largest triangle behind the kMaxOuterTriangles that may go. The blocks with the largest triangles
@@ -98,37 +131,35 @@ float SceneExtents::largestThatStays(const Scene& scene) const {
   std::priority_queue<float, std::vector<float>, std::greater<>> largest;
   for (auto block = order.begin(); block != candidates; ++block) {
     if (largest.size() == kSizes && blocks_[*block].largest <= largest.top()) break;
-    for (const Triangle& triangle : trianglesOf(scene, *block)) {
-      largest.push(longestSide(boundsOf(scene, triangle)));
+    forEachStill(scene, *block, [&](std::uint32_t, const Bounds& bounds) {
+      largest.push(longestSide(bounds));
       if (largest.size() > kSizes) largest.pop();
-    }
+    });
   }
-  return largest.top();
+  return largest.size() < kSizes ? 0 : largest.top();  // all that are not posed may go
 }
 
 void SceneExtents::combine(const Scene& scene) {
-  bounds_ = Bounds();
+  Bounds inner;
+  for (const PosedPart& part : posed_) add(inner, part.bounds);
+  bounds_ = inner;
   for (const Block& block : blocks_) add(bounds_, block.bounds);
   core_ = {bounds_, {}};
   if (scene.triangles.size() <= kMaxOuterTriangles) return;
 
   const float limit = largestThatStays(scene);
-  Bounds inner;
   std::vector<std::uint32_t> large;
   for (std::size_t block = 0; block < blocks_.size(); ++block) {
     if (blocks_[block].largest <= limit) {
       add(inner, blocks_[block].bounds);
       continue;
     }
-    auto number = static_cast<std::uint32_t>(block * kBlockTriangles);
-    for (const Triangle& triangle : trianglesOf(scene, block)) {
-      const Bounds bounds = boundsOf(scene, triangle);
+    forEachStill(scene, block, [&](std::uint32_t number, const Bounds& bounds) {
       if (longestSide(bounds) > limit)
         large.push_back(number);
       else
         add(inner, bounds);
-      ++number;
-    }
+    });
   }
   if (kWorthwhile * longestSide(inner) > longestSide(bounds_)) return;
   core_.bounds = inner;

@@ -2,12 +2,14 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include <halfsilver/bounds.h>
 #include <halfsilver/model.h>
 #include <halfsilver/scene.h>
+#include <halfsilver/scene_core.h>
 
 namespace halfsilver {
 
@@ -23,6 +25,7 @@ struct DrawCluster {
   std::uint32_t first = 0, count = 0;  // triangles of the draw list
   bool cut = false;
   bool moves = false;  // has moved since the scene was uploaded
+  std::optional<std::size_t> part;  // the posed part that all of it belongs to
   Bounds bounds;
   std::uint32_t firstVertex = 0, lastVertex = 0;  // all that it uses lie between, inclusive
 };
@@ -34,11 +37,16 @@ class DrawClusters {
   static constexpr std::uint32_t kTriangles = 256;
 
   DrawClusters() = default;
-  DrawClusters(const Scene& scene, std::vector<std::uint32_t> drawList, std::span<const DrawRange> ranges);
+  // Posed parts are in clusters of their own, with the bounds of the whole part.
+  DrawClusters(const Scene& scene, std::vector<std::uint32_t> drawList, std::span<const DrawRange> ranges,
+               std::span<const PosedPart> posed = {});
 
   // Follows moved vertices; the triangles are those that the object was made from. Returns where clusters that may use
   // one of them were, and where they are.
   std::vector<Bounds> update(const Scene& scene, std::span<const VertexRange> moved);
+
+  // The same for posed parts, which have come into these boxes (by their number; empty: has not moved).
+  std::vector<Bounds> follow(std::span<const Bounds> parts);
 
   std::span<const DrawCluster> all() const { return clusters_; }
   // Where clusters were before they moved for the first time, one after the other.

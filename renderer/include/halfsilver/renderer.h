@@ -11,6 +11,7 @@
 #include <halfsilver/image.h>
 #include <halfsilver/methods.h>
 #include <halfsilver/model.h>
+#include <halfsilver/pose.h>
 #include <halfsilver/scene.h>
 #include <halfsilver/scene_change.h>
 #include <halfsilver/settings.h>
@@ -27,7 +28,8 @@ struct Target {
 };
 
 struct StageTime {
-  std::string stage;  // "shadow", "gbuffer", "select", "voxelize", "build", "trace", "shade", "composite", "frame"
+  std::string
+      stage;  // "pose", "shadow", "gbuffer", "select", "voxelize", "build", "trace", "shade", "composite", "frame"
   double milliseconds = 0;  // GPU time; negative if the driver's answer was rejected
 };
 
@@ -101,6 +103,20 @@ class Renderer {
   void update(const Scene& scene, const SceneChange& change);
   // The same for moved vertices, and for lights that moved with them.
   void updateVertices(const Scene& scene, std::span<const VertexRange> ranges);
+
+  // setScene() of the model's scene, and what poses it on the GPU. Keeps a copy of the rig. The scene's bounds, and
+  // with them grids and shadow maps, are those of all that the model's animations do, so that they stay while it moves.
+  // Throws Error (badInput) if the rig does not fit the scene.
+  void setModel(const Model& model);
+  // Moves what setModel() uploaded: vertices, winding and attached lights, as pose() of pose.h does, within 1e-5 of the
+  // scene's diagonal; the caller's model is neither read nor changed. See posedCamera() for cameras. A compute pass
+  // places the vertices in the next frame (stage "pose"). Only instances that the pose places anew count as moved.
+  // Those that floats cannot place so exactly are placed on the CPU, in double precision; a pose that mirrors an
+  // instance waits for the GPU, and so does each frame of a pose whose rays the CPU traces (it reads the vertices
+  // back). update() still brings the rest up to date, materials or vertices of what cannot move.
+  // Throws Error: usage for a pose of another rig, without a model and while a frame is under way; badInput if vertices
+  // leave the range of floats. Nothing has moved then.
+  void pose(const PoseState& state);
 
   // Drops what methods keep from frame to frame (abuffer.keep): the next frame builds what its own rays need.
   void forgetStructures();

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -21,34 +22,53 @@ struct SceneCore {
 
 inline constexpr std::size_t kMaxOuterTriangles = 32;
 
+// Triangles that poses move on the GPU, and a box that holds them in all of these poses.
+struct PosedPart {
+  VertexRange vertices;
+  TriangleRange triangles;
+  Bounds bounds;  // relative to Scene::origin
+};
+
+// The part that a triangle belongs to, if any, of parts in the order of their triangles.
+std::optional<std::size_t> partOf(std::span<const PosedPart> posed, std::uint32_t triangle);
+
 // Bounds and core of a scene whose vertices move. Triangles are measured in blocks, so that an update costs what moved.
 class SceneExtents {
  public:
   static constexpr std::size_t kBlockTriangles = 256;
 
   SceneExtents() = default;
-  explicit SceneExtents(const Scene& scene);
+  // `posed`: in the order of their triangles. They count with their whole boxes, wherever they are at the time.
+  explicit SceneExtents(const Scene& scene, std::vector<PosedPart> posed = {});
 
   // Follows moved vertices; the triangles are those that the object was made from. Returns how many blocks were
   // measured: those that may use a moved vertex.
   std::size_t update(const Scene& scene, std::span<const VertexRange> moved);
 
+  // A posed part has come into a box: where that reaches beyond the part's own, the latter grows, by more than it must,
+  // so that it need not grow again soon.
+  void hold(std::size_t part, const Bounds& box);
+
   // The blocks whose triangles may use a vertex of the ranges, which are merged; ascending.
   std::vector<std::uint32_t> blocksUsing(std::span<const VertexRange> merged) const;
 
-  const Bounds& bounds() const { return bounds_; }  // of the vertices that triangles use, as Scene::bounds()
+  const Bounds& bounds() const { return bounds_; }  // holds all triangles; without posed parts Scene::bounds()
   const SceneCore& core() const { return core_; }
+  std::span<const PosedPart> posed() const { return posed_; }
 
  private:
   struct Block {
-    Bounds bounds;
-    float largest = 0;                              // longest side of a triangle's bounds, of all triangles
+    Bounds bounds;                                  // of triangles that are not posed
+    float largest = 0;                              // longest side of the bounds of one of these
     std::uint32_t firstVertex = 0, lastVertex = 0;  // all that the block uses lie between, inclusive
   };
+  template <class Visit>
+  void forEachStill(const Scene& scene, std::size_t block, const Visit& visit) const;
   void measure(const Scene& scene, std::size_t block);
   void combine(const Scene& scene);
   float largestThatStays(const Scene& scene) const;
 
+  std::vector<PosedPart> posed_;
   std::vector<Block> blocks_;
   Bounds bounds_;
   SceneCore core_;

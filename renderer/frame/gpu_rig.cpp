@@ -1,0 +1,243 @@
+#include "frame/gpu_rig.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <span>
+#include <string>
+#include <utility>
+
+#include <halfsilver/error.h>
+#include "frame/gpu_scene.h"
+#include "frame/pose_structs.h"
+#include "scene/pose.h"
+
+namespace halfsilver {
+namespace {
+
+// A posed vertex is a sum of at most so many rounded terms, each below InstanceShape::Placed::largest.
+constexpr double kRoundedTerms = 8;
+
+void requireFit(const Model& model, const Instance& instance, std::uint32_t firstTriangle) {
+  const Scene& scene = model.scene;
+  const std::size_t vertices = instance.rest.size();
+  const bool skinned = instance.skin >= 0;
+  const bool inside = instance.firstTriangle >= firstTriangle &&
+                      std::size_t{instance.firstVertex} + vertices <= scene.vertices.size() &&
+                      std::size_t{instance.firstTriangle} + instance.triangleCount <= scene.triangles.size() &&
+                      instance.node >= 0 && static_cast<std::size_t>(instance.node) < model.rig.nodes.size() &&
+                      (!skinned || (static_cast<std::size_t>(instance.skin) < model.rig.skins.size() &&
+                                    !model.rig.skins[static_cast<std::size_t>(instance.skin)].joints.empty()));
+  const bool whole = instance.vertexCount == vertices && (!instance.flatNormals || vertices % 3 == 0) &&
+                     (!skinned || (instance.joints.size() == vertices && instance.weights.size() == vertices));
+  const bool morphs = std::all_of(instance.targets.begin(), instance.targets.end(), [vertices](const auto& target) {
+    const auto fits = [vertices](const std::vector<glm::vec3>& deltas) {
+      return deltas.empty() || deltas.size() == vertices;
+    };
+    return fits(target.positions) && fits(target.normals) && fits(target.tangents);
+  });
+  if (!inside || !whole || !morphs)
+    throw Error(ErrorKind::badInput, "scene '" + scene.name + "': an instance of node " +
+                                         std::to_string(instance.node) + " does not fit its rig");
+}
+
+// What the GPU keeps of all instances.
+struct RestData {
+  std::vector<shared::RestVertex> vertices;
+  std::vector<shared::JointInfluences> influences;
+  std::vector<float> deltas;
+
+  bool fits(const Instance& instance, std::size_t limit) const {
+    const std::size_t count = instance.rest.size();
+    return (vertices.size() + count) * sizeof(shared::RestVertex) <= limit &&
+           (influences.size() + count) * sizeof(shared::JointInfluences) <= limit &&
+           (deltas.size() + instance.targets.size() * count * MORPH_FLOATS) * sizeof(float) <= limit;
+  }
+  void addVertices(const Instance& instance, const glm::vec3& center) {
+    for (const Vertex& vertex : instance.rest)
+      vertices.push_back({vertex.position - center, vertex.tangent.w, vertex.normal, 0, glm::vec3(vertex.tangent), 0});
+  }
+  void addInfluences(const Instance& instance) {
+    for (std::size_t i = 0; i < instance.joints.size(); ++i) {
+      shared::JointInfluences& influence = influences.emplace_back();
+      for (int k = 0; k < 4; ++k) {
+        influence.joints[k] = instance.joints[i][k];
+        influence.weights[k] = instance.weights[i][k];
+      }
+    }
+  }
+  void addDeltas(const Instance::MorphTarget& target, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i)
+      for (const auto* part : {&target.positions, &target.normals, &target.tangents})
+        for (int axis = 0; axis < 3; ++axis) deltas.push_back(part->empty() ? 0.0f : (*part)[i][axis]);
+  }
+};
+
+std::uint32_t groupsOf(std::size_t vertices) {
+  return static_cast<std::uint32_t>((vertices + POSE_GROUP - 1) / POSE_GROUP);
+}
+
+// From rest positions around the center to positions relative to the origin.
+shared::PoseMatrix relative(const glm::dmat4& matrix, const glm::dvec3& center, const glm::dvec3& origin) {
+  const glm::dvec3 offset = glm::dvec3(matrix * glm::dvec4(center, 1)) - origin;
+  shared::PoseMatrix result;
+  for (int row = 0; row < 3; ++row) result.rows[row] = {matrix[0][row], matrix[1][row], matrix[2][row], offset[row]};
+  return result;
+}
+
+void addRange(std::vector<VertexRange>& ranges, const Instance& instance) {
+  if (!ranges.empty() && ranges.back().first + ranges.back().count == instance.firstVertex)
+    ranges.back().count += instance.vertexCount;
+  else
+    ranges.push_back({instance.firstVertex, instance.vertexCount});
+}
+
+}  // namespace
+
+GpuRig::GpuRig(const gl::Api& api, const Model& model) : rig_(model.rig), origin_(model.scene.origin) {
+  if (rig_.instances.empty()) return;
+  RestData data;
+  std::size_t groups = 0, matrices = 0, weights = 0;
+  std::uint32_t triangles = 0;  // up to the next instance's
+  for (const Instance& instance : rig_.instances) {
+    requireFit(model, instance, triangles);
+    triangles = instance.firstTriangle + instance.triangleCount;
+    Part& part = parts_.emplace_back(Part{
+        .shape = InstanceShape(rig_, instance), .shares = matrixShares(rig_, instance), .turned = instance.turned});
+    part.fits = data.fits(instance, static_cast<std::size_t>(api.limits.storageBlockBytes));
+    if (!part.fits) continue;
+    part.rest = static_cast<std::uint32_t>(data.vertices.size());
+    data.addVertices(instance, part.shape.center());
+    part.influences = instance.skin < 0 ? NOT_SKINNED : static_cast<std::uint32_t>(data.influences.size());
+    if (instance.skin >= 0) data.addInfluences(instance);
+    for (const Instance::MorphTarget& target : instance.targets) {
+      part.deltas.push_back(static_cast<std::uint32_t>(data.deltas.size()));
+      data.addDeltas(target, instance.rest.size());
+    }
+    groups += groupsOf(instance.rest.size());
+    matrices += part.shares.size();
+    weights += instance.targets.size();
+  }
+  const auto room = [](std::size_t count) { return std::max<std::size_t>(1, count); };
+  rest_ = gl::makeBuffer(api, std::span<const shared::RestVertex>(data.vertices), "rest vertices");
+  influences_ = gl::makeBuffer(api, std::span<const shared::JointInfluences>(data.influences), "joint influences");
+  deltas_ = gl::makeBuffer(api, std::span<const float>(data.deltas), "morph deltas");
+  weights_ = gl::Buffer(api, room(weights) * sizeof(shared::MorphWeight), "morph weights");
+  matrices_ = gl::Buffer(api, room(matrices) * sizeof(shared::PoseMatrix), "pose matrices");
+  groups_ = gl::Buffer(api, room(groups) * sizeof(shared::PoseGroup), "pose groups");
+}
+
+std::vector<GpuRig::Next> GpuRig::next(const PoseState& state) const {
+  if (state.world.size() != rig_.nodes.size() || state.weights.size() != rig_.nodes.size())
+    throw Error(ErrorKind::usage, "the pose has " + std::to_string(state.world.size()) + " nodes, the model " +
+                                      std::to_string(rig_.nodes.size()));
+  std::vector<Next> all(parts_.size());
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    const Instance& instance = rig_.instances[i];
+    Next& next = all[i];
+    next.matrices = placingMatrices(rig_, instance, state);
+    next.weights = state.weights[static_cast<std::size_t>(instance.node)];
+    next.moves = next.matrices != parts_[i].matrices || next.weights != parts_[i].weights;
+    if (!next.moves) continue;
+    next.placed = parts_[i].shape.at(next.matrices, next.weights, origin_);
+    if (!next.placed.finite)
+      throw Error(ErrorKind::badInput,
+                  "an animation moves the scene out of the range of floats: node " + std::to_string(instance.node));
+  }
+  return all;
+}
+
+GpuRig::Change GpuRig::take(const PoseState& state, GpuScene& scene) {
+  std::vector<Next> all = next(state);
+  const double tolerance = kTolerance * static_cast<double>(scene.extents.bounds().diagonal());
+  Change change;
+  std::vector<Bounds> boxes(parts_.size());
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    const Instance& instance = rig_.instances[i];
+    Part& part = parts_[i];
+    Next& next = all[i];
+    if (!next.moves) continue;
+    const bool turned = mirrored(next.matrices, part.shares);
+    if (turned != part.turned && instance.triangleCount > 0) {
+      const TriangleRange triangles{instance.firstTriangle, instance.triangleCount};
+      turnTriangles(scene, triangles);
+      change.scene.turned.push_back(triangles);
+    }
+    part.turned = turned;
+    const double error =
+        kRoundedTerms * next.placed.largest * static_cast<double>(std::numeric_limits<float>::epsilon());
+    part.waiting = part.fits && !next.placed.flat && error <= tolerance;
+    if (!part.waiting) {
+      std::vector<Vertex> vertices(instance.rest.size());
+      place(rig_, instance, state, origin_, vertices);
+      writeVertices(scene, vertices, instance.firstVertex);
+    }
+    part.matrices = std::move(next.matrices);
+    part.weights = std::move(next.weights);
+    boxes[i] = next.placed.bounds;
+    scene.extents.hold(i, boxes[i]);
+    if (instance.vertexCount > 0) addRange(change.scene.moved, instance);
+  }
+  change.touched = scene.clusters.follow(boxes);
+  return change;
+}
+
+bool GpuRig::waiting() const {
+  return std::any_of(parts_.begin(), parts_.end(), [](const Part& part) { return part.waiting; });
+}
+
+std::uint32_t GpuRig::upload() {
+  std::vector<shared::PoseGroup> groups;
+  std::vector<shared::PoseMatrix> matrices;
+  std::vector<shared::MorphWeight> weights;
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    Part& part = parts_[i];
+    if (!std::exchange(part.waiting, false)) continue;
+    const Instance& instance = rig_.instances[i];
+    shared::PoseGroup group{};
+    group.vertex = instance.firstVertex;
+    group.rest = part.rest;
+    group.influences = part.influences;
+    group.matrix = static_cast<std::uint32_t>(matrices.size());
+    group.morphWeights = static_cast<std::uint32_t>(weights.size());
+    group.flags = (instance.flatNormals ? POSE_FLAT_NORMALS : 0) | (part.turned ? POSE_TURNED : 0);
+    for (const glm::dmat4& matrix : part.matrices) matrices.push_back(relative(matrix, part.shape.center(), origin_));
+    for (std::size_t k = 0; k < std::min(part.weights.size(), part.deltas.size()); ++k)
+      if (part.weights[k] != 0) weights.push_back({part.deltas[k], static_cast<float>(part.weights[k])});
+    group.morphCount = static_cast<std::uint32_t>(weights.size()) - group.morphWeights;
+    for (; group.first < instance.vertexCount; group.first += POSE_GROUP) {
+      group.count = std::min<std::uint32_t>(POSE_GROUP, instance.vertexCount - group.first);
+      groups.push_back(group);
+    }
+  }
+  groups_.write(std::span<const shared::PoseGroup>(groups));
+  matrices_.write(std::span<const shared::PoseMatrix>(matrices));
+  weights_.write(std::span<const shared::MorphWeight>(weights));
+  return static_cast<std::uint32_t>(groups.size());
+}
+
+void GpuRig::bind() const {
+  rest_.bindStorage(SSBO_REST);
+  influences_.bindStorage(SSBO_INFLUENCES);
+  deltas_.bindStorage(SSBO_MORPH_DELTAS);
+  weights_.bindStorage(SSBO_MORPH_WEIGHTS);
+  matrices_.bindStorage(SSBO_POSE_MATRICES);
+  groups_.bindStorage(SSBO_POSE_GROUPS);
+}
+
+std::size_t GpuRig::bytes() const {
+  return rest_.bytes() + influences_.bytes() + deltas_.bytes() + weights_.bytes() + matrices_.bytes() + groups_.bytes();
+}
+
+std::vector<PosedPart> posedParts(const Model& model) {
+  const std::vector<Bounds> bounds = animatedBounds(model);
+  std::vector<PosedPart> parts;
+  for (std::size_t i = 0; i < bounds.size(); ++i) {
+    const Instance& instance = model.rig.instances[i];
+    parts.push_back(
+        {{instance.firstVertex, instance.vertexCount}, {instance.firstTriangle, instance.triangleCount}, bounds[i]});
+  }
+  return parts;
+}
+
+}  // namespace halfsilver

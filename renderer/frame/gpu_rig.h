@@ -1,0 +1,76 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <halfsilver/pose.h>
+#include <halfsilver/products.h>
+#include "scene/posed_bounds.h"
+
+namespace halfsilver {
+
+// What poses a model on the GPU: rest vertices, joints, morph targets. Matrices are composed in double precision and
+// relative to Scene::origin, rest positions relative to their middle, so that floats serve wherever they are. Instances
+// that floats still cannot place within kTolerance, or that the device's storage blocks cannot hold, are posed on the
+// CPU.
+class GpuRig {
+ public:
+  static constexpr double kTolerance = 1e-5;  // of the scene's diagonal
+
+  // Of the model whose scene was uploaded with posedParts(). Throws Error (badInput) if an instance does not fit it.
+  GpuRig(const gl::Api& api, const Model& model);
+
+  struct Change {
+    SceneChange scene;            // vertices and turned triangles
+    std::vector<Bounds> touched;  // boxes that they have left or come into
+  };
+  // Has the scene follow a pose. Bounds, winding and what the CPU poses are right at once, the rest after the next
+  // PosePass::run(). The first pose moves every instance, later ones those that they place anew. Throws, before
+  // anything is changed, Error (usage) if the pose is of another rig and Error (badInput) if it leaves the range of
+  // floats.
+  Change take(const PoseState& state, GpuScene& scene);
+
+  const std::vector<int>& lightNodes() const { return rig_.lightNodes; }
+  const glm::dvec3& origin() const { return origin_; }
+
+  // For the pass: whether instances wait for it; uploads their pose, after which they do not, and returns how many
+  // groups of vertices they have; binds SSBO_REST to SSBO_POSE_GROUPS.
+  bool waiting() const;
+  std::uint32_t upload();
+  void bind() const;
+
+  std::size_t bytes() const;
+
+ private:
+  struct Part {
+    InstanceShape shape;
+    std::vector<double> shares;  // see matrixShares()
+    bool turned = false;
+    bool fits = false;  // the GPU has the next three
+    std::uint32_t rest = 0, influences = 0;
+    std::vector<std::uint32_t> deltas{};  // of each morph target, the first float
+    // The pose that was taken last; no matrices: none.
+    std::vector<glm::dmat4> matrices{};
+    std::vector<double> weights{};
+    bool waiting = false;
+  };
+  // What becomes of a part in a pose.
+  struct Next {
+    std::vector<glm::dmat4> matrices;
+    std::vector<double> weights;
+    InstanceShape::Placed placed;
+    bool moves = false;
+  };
+  std::vector<Next> next(const PoseState& state) const;
+
+  Rig rig_;
+  glm::dvec3 origin_{0};
+  std::vector<Part> parts_;  // of each instance
+  gl::Buffer rest_, influences_, deltas_;
+  gl::Buffer weights_, matrices_, groups_;  // with room for all parts at once
+};
+
+// The parts of a scene that poses of the model move.
+std::vector<PosedPart> posedParts(const Model& model);
+
+}  // namespace halfsilver
