@@ -43,6 +43,9 @@ class EmbreeScene {
  public:
   EmbreeScene(const Scene& scene, unsigned threads);  // of builds
 
+  // Another scene, for the next build.
+  void use(const Scene& scene) { source_ = &scene; }
+
   // Both throw Error (failed).
   void build();
   void follow(std::span<const VertexRange> moved);  // and triangles that turned with them

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <span>
 #include <thread>
 #include <utility>
@@ -10,6 +11,7 @@
 #include <halfsilver/error.h>
 #include <halfsilver/ray_reader.h>
 #include "exact/embree_scene.h"
+#include "exact/posed_scene.h"
 #include "exact/worker_pool.h"
 
 namespace halfsilver {
@@ -23,14 +25,19 @@ constexpr std::size_t kChunk = 1024;  // rays that one thread takes at once
 class ExactTracer final : public Tracer {
  public:
   ExactTracer(const gl::Api& api, const Scene& scene, unsigned threads)
-      : api_(&api), scene_(scene, threads), reader_(api), pool_(threads) {}
+      : api_(&api), source_(&scene), scene_(scene, threads), reader_(api), pool_(threads) {}
 
   void update(const FrameView& view, const SceneChange& change) override {
     const bool kept = built_ && !change.topology;
+    if (posed_ && change.materials) {
+      waitForJobs();
+      posed_->copyMaterials(*source_);
+    }
     if (kept && !change.geometry()) return;
     const auto scope = view.profiler.hostSection("build");
     built_ = false;  // until nothing has failed
     waitForJobs();
+    if (!view.scene.extents.posed().empty()) followPoses(view.scene, change);
     if (kept)
       scene_.follow(change.moved);
     else
@@ -67,7 +74,7 @@ class ExactTracer final : public Tracer {
 
   TracerMemory memory() const override {
     TracerMemory memory;
-    memory.structureTotal = scene_.bytes();
+    memory.structureTotal = scene_.bytes() + (posed_ ? posed_->bytes() : 0);
     for (const std::unique_ptr<Work>& work : works_)
       memory.transient += work->reader.bytes() + work->hits.capacity() * sizeof(Hit);
     return memory;
@@ -91,6 +98,13 @@ class ExactTracer final : public Tracer {
       for (const std::unique_ptr<Work>& work : works_)
         if (work->queue == wanted) return *work;
     return *works_.emplace_back(std::make_unique<Work>(reader_.another()));
+  }
+
+  // What is posed on the GPU is traced as it is there.
+  void followPoses(const GpuScene& scene, const SceneChange& change) {
+    if (posed_) return posed_->follow(scene, change);
+    posed_.emplace(*source_, scene);
+    scene_.use(posed_->scene());
   }
 
   // Jobs of another frame under way, or of one that failed, still trace what a build replaces.
@@ -123,6 +137,8 @@ class ExactTracer final : public Tracer {
   }
 
   const gl::Api* api_;
+  const Scene* source_;
+  std::optional<PosedScene> posed_;  // if poses move the scene
   EmbreeScene scene_;
   bool built_ = false;  // for the geometry of the last update
   RayReader reader_;    // whose program the works share
