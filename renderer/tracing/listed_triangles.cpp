@@ -19,7 +19,8 @@ static_assert(offsetof(ListedTriangles, smallGroupsX) == 16);  // an indirect di
 static_assert(offsetof(ListedTriangles, smallGroupsY) == 20);
 static_assert(offsetof(ListedTriangles, smallGroupsZ) == 24);
 static_assert(offsetof(ListedTriangles, smallCount) == 28);
-static_assert(sizeof(ListedTriangles) == 32);
+static_assert(offsetof(ListedTriangles, pairedCount) == 32);
+static_assert(sizeof(ListedTriangles) == 36);
 
 }  // namespace shared
 

@@ -1,44 +1,21 @@
 // Small triangles, which one compute invocation each voxelizes, against the rasterizer; blocks of triangles against
 // all.
-#include <stdlib.h>
-
-#include <filesystem>
-#include <fstream>
 #include <functional>
-#include <iterator>
-#include <string>
 #include <vector>
 
 #include "frame/gpu_scene.h"
 #include "gpu/tracing_scenes.h"
-#include "temporary_folder.h"
 #include "tracing/voxel_pass.h"
 
 namespace halfsilver::testing {
 namespace {
 
-namespace fs = std::filesystem;
-
 class SmallTriangles : public TracingTest {
  protected:
-  // Does something with the shaders changed in one place.
-  static void withShaders(const char* name, const std::string& from, const std::string& to,
-                          const std::function<void()>& work) {
-    const TemporaryFolder folder;
-    fs::copy(HALFSILVER_SOURCE_DIR "/shaders", folder.path(), fs::copy_options::recursive);
-    const fs::path file = folder.path() / name;
-    std::ifstream in(file);
-    std::string text{std::istreambuf_iterator<char>(in), {}};
-    const std::size_t at = text.find(from);
-    ASSERT_NE(at, std::string::npos) << from;
-    std::ofstream(file) << text.replace(at, from.size(), to);
-    ::setenv("HALFSILVER_SHADERS", folder.path().c_str(), 1);
-    work();
-    ::unsetenv("HALFSILVER_SHADERS");
-  }
-  // No triangle is small, so the rasterizer draws them all.
+  // No triangle is small, so the rasterizer voxelizes them all.
   static void withRasterOnly(const std::function<void()>& work) {
-    withShaders("shared/passes/listed_triangles.h", "#define SMALL_TEXELS 128", "#define SMALL_TEXELS 0", work);
+    withShaders({{"shared/passes/listed_triangles.h", "#define SMALL_TEXELS 128", "#define SMALL_TEXELS 0"}, kNoPairs},
+                work);
   }
 
   // Triangles of all sizes, slivers along and across the axes among them.
@@ -51,6 +28,14 @@ class SmallTriangles : public TracingTest {
       addTriangle(scene, {at, 0.5f, at}, {at, 0.5f, at}, {at, 0.5f, at}, 1);
     }
     return scene;
+  }
+
+  static void expectSameEntries(const Frame& one, const Frame& other) {
+    EXPECT_EQ(one.layers.data, other.layers.data);
+    const MemoryReport &a = one.report.memory, &b = other.report.memory;
+    EXPECT_GT(a.fragmentsStored, 1000u);
+    EXPECT_EQ(a.fragmentsStored, b.fragmentsStored);
+    EXPECT_EQ(a.heads, b.heads);
   }
 
   struct Words {
@@ -89,16 +74,27 @@ TEST_F(SmallTriangles, HaveTheEntriesThatTheirFragmentsWouldHave) {
   const Scene scene = manySizes();
   for (const char* axis : {"own", "area"}) {
     const Settings settings = settingsWith({{"voxels.axis", axis}});
-    const Frame mixed = drawOnce(scene, kAbove, settings, 80, 60);
+    Frame mixed;
+    withShaders({kNoPairs}, [&] { mixed = drawOnce(scene, kAbove, settings, 80, 60); });
     Frame raster;
     withRasterOnly([&] { raster = drawOnce(scene, kAbove, settings, 80, 60); });
-    EXPECT_EQ(mixed.layers.data, raster.layers.data);
+    expectSameEntries(mixed, raster);
     const MemoryReport &a = mixed.report.memory, &b = raster.report.memory;
-    EXPECT_GT(a.fragmentsStored, 1000u);
     EXPECT_EQ(a.fragments, b.fragments);
-    EXPECT_EQ(a.fragmentsStored, b.fragmentsStored);
-    EXPECT_EQ(a.heads, b.heads);
     for (int i = 0; i < 3; ++i) EXPECT_EQ(a.fragmentsPerAxis[i], b.fragmentsPerAxis[i]) << i;
+  }
+}
+
+// A build of few bricks takes large triangles brick by brick, and makes only the fragments that are stored.
+TEST_F(SmallTriangles, AndLargeOnesInFewBricksHaveTheSameEntries) {
+  const Scene scene = manySizes();
+  for (const char* axis : {"own", "area"}) {
+    const Settings settings = settingsWith({{"voxels.axis", axis}});
+    const Frame paired = drawOnce(scene, kAbove, settings, 80, 60);
+    Frame rasterized;
+    withShaders({kNoPairs}, [&] { rasterized = drawOnce(scene, kAbove, settings, 80, 60); });
+    expectSameEntries(paired, rasterized);
+    EXPECT_LT(paired.report.memory.fragments, rasterized.report.memory.fragments);
   }
 }
 
@@ -121,7 +117,7 @@ TEST_F(SmallTriangles, AreFoundByTheBlocksThatTheyLieIn) {
   };
   const std::vector<Frame> some = frames(scene);
   std::vector<Frame> all;
-  withShaders("tracing/identity/collect_blocks.comp", "maxBricks = 512.0", "maxBricks = -1.0",
+  withShaders({{"tracing/identity/collect_blocks.comp", "maxBricks = 512.0", "maxBricks = -1.0"}},
               [&] { all = frames(scene); });
   ASSERT_EQ(all.size(), 3u);
   for (std::size_t i = 0; i < all.size(); ++i) {

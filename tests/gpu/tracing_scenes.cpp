@@ -1,11 +1,34 @@
 #include "gpu/tracing_scenes.h"
 
+#include <stdlib.h>
+
 #include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <set>
 
 #include "gpu/shader_function.h"
+#include "temporary_folder.h"
 
 namespace halfsilver::testing {
+
+void TracingTest::withShaders(const std::vector<ShaderEdit>& edits, const std::function<void()>& work) {
+  namespace fs = std::filesystem;
+  const TemporaryFolder folder;
+  fs::copy(HALFSILVER_SOURCE_DIR "/shaders", folder.path(), fs::copy_options::recursive);
+  for (const ShaderEdit& edit : edits) {
+    const fs::path file = folder.path() / edit.file;
+    std::ifstream in(file);
+    std::string text{std::istreambuf_iterator<char>(in), {}};
+    const std::size_t at = text.find(edit.from);
+    ASSERT_NE(at, std::string::npos) << edit.from;
+    std::ofstream(file) << text.replace(at, edit.from.size(), edit.to);
+  }
+  ::setenv("HALFSILVER_SHADERS", folder.path().c_str(), 1);
+  work();
+  ::unsetenv("HALFSILVER_SHADERS");
+}
 
 Material plain(const glm::vec3& color) {
   Material material;

@@ -1,11 +1,25 @@
 #pragma once
 
+#include <functional>
+#include <string>
+#include <vector>
+
 #include "gpu/render_fixture.h"
 
 // Scenes and helpers of the tests of tracing.
 namespace halfsilver::testing {
 
-class TracingTest : public RenderTest {};
+class TracingTest : public RenderTest {
+ protected:
+  // What a shader file has and what is to stand there instead.
+  struct ShaderEdit {
+    std::string file, from, to;
+  };
+  static void withShaders(const std::vector<ShaderEdit>& edits, const std::function<void()>& work);
+  // Has the identity structure rasterize large triangles, however few bricks it builds.
+  inline static const ShaderEdit kNoPairs = {"shared/passes/identity.h", "#define MAX_PAIRED_BRICKS 4096u",
+                                             "#define MAX_PAIRED_BRICKS 0u"};
+};
 
 Material plain(const glm::vec3& color);
 Material mirrorMaterial();

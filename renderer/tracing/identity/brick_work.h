@@ -13,12 +13,15 @@ static_assert(offsetof(BrickWork, blockGroupsX) == 12);
 static_assert(offsetof(BrickWork, triangleGroupsX) == 24);
 static_assert(offsetof(BrickWork, buildGroupsX) == 36);
 static_assert(offsetof(BrickWork, groupsPerBuildX) == 48);
-static_assert(offsetof(BrickWork, buildCount) == 64);
-static_assert(offsetof(BrickWork, requestedBricks) == 80);
-static_assert(offsetof(BrickWork, waitingWords) == 84);
-static_assert(offsetof(BrickWork, longestWaiting) == 88);
-static_assert(offsetof(BrickWork, usedWords) == 92);
-static_assert(offsetof(BrickWork, staleHeaderWords) == 108);
-static_assert(sizeof(BrickWork) == 112);
+static_assert(offsetof(BrickWork, pairGroupsX) == 60);
+static_assert(offsetof(BrickWork, buildCount) == 76);
+static_assert(offsetof(BrickWork, requestedBricks) == 92);
+static_assert(offsetof(BrickWork, waitingWords) == 96);
+static_assert(offsetof(BrickWork, longestWaiting) == 100);
+static_assert(offsetof(BrickWork, usedWords) == 104);
+static_assert(offsetof(BrickWork, staleHeaderWords) == 120);
+static_assert(offsetof(BrickWork, filledBelowX) == 124);
+static_assert(offsetof(BrickWork, growGroupsX) == 148);
+static_assert(sizeof(BrickWork) == 184);
 
 }  // namespace halfsilver::shared

@@ -42,6 +42,7 @@ RunBuilder::RunBuilder(const gl::Api& api)
       placeRuns_(gl::Program::compute(api, "tracing/identity/place_runs.comp")),
       finishBricks_(gl::Program::compute(api, "tracing/identity/finish_bricks.comp")),
       build_(makeVisit(api, "build")),
+      buildPaired_(gl::Program::compute(api, "tracing/identity/build_paired.comp")),
       counters_(api),
       triangles_(api) {}
 
@@ -122,12 +123,15 @@ void RunBuilder::dispatchForBuilds(const gl::Program& program, std::size_t argum
 }
 
 void RunBuilder::visitBuilds(bool secondStep, const GpuScene& scene, const RunStore& store) const {
-  for (const gl::Program* program : {&build_.small, &build_.large}) {
+  for (const gl::Program* program : {&build_.small, &build_.large, &buildPaired_}) {
     program->set("secondStep", secondStep ? 1 : 0);
     store.entryLayout().apply(*program);
   }
   brickBuilds_.bindStorage(SSBO_BRICK_BUILDS);
   visit(build_, store.grid(), scene, store);
+  store.grid().apply(buildPaired_);
+  buildPaired_.set("ownAxis", store.ownAxis() ? 1 : 0);
+  dispatchForBuilds(buildPaired_, offsetof(shared::BrickWork, pairGroupsX), store);
 }
 
 void RunBuilder::visit(const Visit& programs, const Grid& grid, const GpuScene& scene, const RunStore& store) const {

@@ -57,6 +57,7 @@ class RunBuilder {
   gl::Program boundBlocks_, beginBuild_, listRequested_, collectBlocks_, collectRequested_, sizeRuns_, placeRuns_,
       finishBricks_;
   Visit build_;
+  gl::Program buildPaired_;                 // large triangles in the few bricks of a small build
   gl::Program collectMoved_, giveUpMoved_;  // made with the first move
   Visit markMoved_;                         // likewise
   BuildCounters counters_;

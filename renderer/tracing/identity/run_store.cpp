@@ -40,6 +40,7 @@ RunStore::RunStore(const gl::Api& api, const Settings& settings)
       ownAxis_(settings.voxels.axis == AxisRule::own),
       voxelPass_(api, VoxelRaster::conservative, settings.voxels.axis),
       beginBricks_(gl::Program::compute(api, "tracing/identity/begin_bricks.comp")),
+      beginGrowth_(gl::Program::compute(api, "tracing/identity/begin_growth.comp")),
       growEmpty_(gl::Program::compute(api, "tracing/identity/grow_empty.comp")),
       work_(api, sizeof(shared::BrickWork), "work on bricks") {}
 
@@ -79,8 +80,14 @@ void RunStore::forget(const GpuScene& scene) {
   resize(*api_, bricks_, brickCount() * sizeof(GLuint), "A-buffer bricks");
   const std::uint64_t words = std::min(maxCapacity(), std::max(kMinFirstWords, kFirstWords * scene.triangleCount));
   if (capacity() < words) resize(*api_, runs_, words * kWordBytes, "A-buffer runs");
-  work_.fill(0);
   known_ = {};
+  // Cubes of all bricks are to be made.
+  shared::BrickWork work{};
+  work.filledBelowX = work.filledBelowY = work.filledBelowZ = FILLED_BELOW;
+  work.filledAboveX = static_cast<GLuint>(brickGrid_.voxels.x);
+  work.filledAboveY = static_cast<GLuint>(brickGrid_.voxels.y);
+  work.filledAboveZ = static_cast<GLuint>(brickGrid_.voxels.z);
+  work_.write(0, &work, sizeof(work));
   lost_ = 0;
   bind();
   beginBricks_.set("brickCount", brickCount());
@@ -92,11 +99,17 @@ void RunStore::forget(const GpuScene& scene) {
 
 void RunStore::growEmpty() const {
   bind();
+  grid_.apply(beginGrowth_);
+  beginGrowth_.use();
+  api_->DispatchCompute(1, 1, 1);
+  // The box and its groups (this dispatch) are read by the steps.
+  api_->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
   grid_.apply(growEmpty_);
-  growEmpty_.set("brickCount", brickCount());
+  api_->BindBuffer(GL_DISPATCH_INDIRECT_BUFFER, work_.name());
   for (int power = 0; power < MAX_EMPTY_SIDE; ++power) {
     growEmpty_.set("power", power);
-    dispatchFor(*api_, growEmpty_, brickCount());
+    growEmpty_.use();
+    api_->DispatchComputeIndirect(offsetof(shared::BrickWork, growGroupsX));
     // States (this step) are read by the next one, by builds and by the trace.
     api_->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   }

@@ -38,7 +38,8 @@ class RunStore {
   std::uint32_t brickCount() const { return static_cast<std::uint32_t>(brickGrid_.voxelCount()); }
   bool ownAxis() const { return ownAxis_; }  // each triangle is in the A-buffer of its own dominant axis
 
-  // Finds the empty cubes that empty bricks begin; to be called after triangles have come to other bricks.
+  // Finds the empty cubes that empty bricks begin, near bricks that are not empty any more; to be called after
+  // triangles have come to other bricks.
   void growEmpty() const;
 
   // SSBO_VOXELS, SSBO_BRICKS, SSBO_RUNS and SSBO_BRICK_WORK.
@@ -77,7 +78,7 @@ class RunStore {
   double voxelsPerTriangle_;
   bool ownAxis_;
   VoxelPass voxelPass_;
-  gl::Program beginBricks_, growEmpty_;
+  gl::Program beginBricks_, beginGrowth_, growEmpty_;
   gl::Program compactRuns_;  // made when it is first needed
 
   Grid grid_, brickGrid_;

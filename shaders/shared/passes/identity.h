@@ -24,6 +24,9 @@
 // Sides of empty cubes in bricks, as powers of two: bits for each of the eight directions, and the largest power.
 #define EMPTY_SIDE_BITS 3u
 #define MAX_EMPTY_SIDE 4
+// Bricks along the sides of a group that makes them.
+#define GROW_GROUP_X 8
+#define GROW_GROUP_YZ 2
 
 // A brick's voxel in the packed grid (see shared/tracing.h): triangles of the last move came to it.
 #define VOXEL_MOVED 8u
@@ -51,6 +54,9 @@ struct BrickWork {
   uint groupsPerBuildX;
   uint groupsPerBuildY;
   uint groupsPerBuildZ;
+  uint pairGroupsX;  // likewise, if large triangles are not rasterized
+  uint pairGroupsY;
+  uint pairGroupsZ;
   uint wantedBlocks;
   uint buildCount;
   uint firstWord;         // behind the runs of earlier builds
@@ -64,7 +70,28 @@ struct BrickWork {
   uint longestRun;        // words
   uint staleWords;        // of runs that were given up
   uint staleHeaderWords;  // of these, before the entries
+  // The box of bricks that stopped being empty since empty cubes were made, as maxima, so that zeros are none:
+  // FILLED_BELOW - the lowest brick, and 1 + the highest, along each axis.
+  uint filledBelowX;
+  uint filledBelowY;
+  uint filledBelowZ;
+  uint filledAboveX;
+  uint filledAboveY;
+  uint filledAboveZ;
+  // Where cubes are made again: groups of the indirect dispatch, and the box of bricks.
+  uint growGroupsX;
+  uint growGroupsY;
+  uint growGroupsZ;
+  uint growLowX;
+  uint growLowY;
+  uint growLowZ;
+  uint growSizeX;
+  uint growSizeY;
+  uint growSizeZ;
 };
+#define FILLED_BELOW 1024
+// A build of at most so many bricks goes over pairs of large triangles and bricks, in compute.
+#define MAX_PAIRED_BRICKS 4096u
 // Keeps a sum of words in a word.
 #define MAX_WAITING_WORDS 0x1ffffu
 

@@ -22,6 +22,7 @@ struct ListedTriangles {
   uint smallGroupsY;
   uint smallGroupsZ;
   uint smallCount;
+  uint pairedCount;  // large ones that are not rasterized
 };
 
 #endif

@@ -15,6 +15,11 @@ void listSmallTriangle(uint triangle) {
   listedTriangles[number] = triangle;
 }
 
+// For the pairs of large triangles and bricks, instead of the rasterizer.
+void listPairedTriangle(uint triangle) {
+  listedTriangles[placeOfLarge(atomicAdd(listed.pairedCount, 1u))] = triangle;
+}
+
 void listLargeTriangle(uint triangle) {
   listedTriangles[placeOfLarge(atomicAdd(listed.largeVertices, 6u) / 6u)] = triangle;
 }

@@ -7,15 +7,21 @@
 // What becomes of a voxel: the program that includes this file defines it.
 void visitVoxel(ivec3 voxel);
 
-// Calls visitVoxel() for the voxels of a texel's column.
-void visitTouchedVoxels(ProjectedTriangle t, ivec2 texel) {
+// The first and the last depth of a texel's column that the triangle touches; none if the last is before the first.
+ivec2 touchedDepths(ProjectedTriangle t, ivec2 texel) {
   ivec3 voxels = permutedVoxels(t.axis);
   vec2 depths;
   bool touches = texel.x < voxels.x && texel.y < voxels.y &&
                  touchesTexel(t.a, t.b, t.c, texel, vec2(voxels.xy), depths);
   int first = clamp(int(floor(depths.x * float(voxels.z) - overlapSlack)), 0, voxels.z - 1);
   int last = touches ? clamp(int(floor(depths.y * float(voxels.z) + overlapSlack)), 0, voxels.z - 1) : -1;
-  for (int depth = first; depth <= last; ++depth) visitVoxel(ivec3(unpermute(vec3(texel, depth), t.axis)));
+  return ivec2(first, last);
+}
+
+// Calls visitVoxel() for the voxels of a texel's column.
+void visitTouchedVoxels(ProjectedTriangle t, ivec2 texel) {
+  ivec2 depths = touchedDepths(t, texel);
+  for (int depth = depths.x; depth <= depths.y; ++depth) visitVoxel(ivec3(unpermute(vec3(texel, depth), t.axis)));
 }
 
 // For all voxels of a small triangle's projection.

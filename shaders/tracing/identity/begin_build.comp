@@ -44,7 +44,11 @@ void main() {
   brickWork.groupsPerBuildX = groups.x;
   brickWork.groupsPerBuildY = groups.y;
   brickWork.groupsPerBuildZ = groups.z;
-  listed.largeVertices = 0u;
+  groups = rowsOf(count <= MAX_PAIRED_BRICKS ? count : 0u);
+  brickWork.pairGroupsX = groups.x;
+  brickWork.pairGroupsY = groups.y;
+  brickWork.pairGroupsZ = groups.z;
+  listed.largeVertices = listed.pairedCount = 0u;
   listed.smallGroupsX = 0u;
   listed.smallCount = 0u;
 }

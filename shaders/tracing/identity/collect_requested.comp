@@ -7,16 +7,22 @@
 #include "tracing/identity/requested_box.glsl"
 #include "tracing/identity/triangle_blocks.glsl"
 
-// Larger triangles are collected without a look at their bricks: fragments decide anyway.
-const float maxBricks = 4096.0;
+// Larger triangles are collected without a look at their bricks: voxels decide anyway. A pair of triangle and brick costs
+// less than a look at many.
+const float maxBricks = 4096.0, maxPairedBricks = 64.0;
 
 void main() {
+  bool paired = brickWork.pairGroupsX > 0u;
   for (uint number = gl_WorkGroupID.x; number < brickWork.wantedBlocks; number += gl_NumWorkGroups.x) {
     uint triangle = triangleBlocks[number].wanted * TRIANGLE_BLOCK + gl_LocalInvocationID.x;
     if (triangle >= triangleCount) continue;
     vec3 a, b, c;
     trianglePositions(triangle, a, b, c);
     BrickBox box = bricksOf(a, b, c);
-    if (requestedIn(box.low, box.high, maxBricks)) listTriangle(triangle, a, b, c);
+    if (!requestedIn(box.low, box.high, paired ? maxPairedBricks : maxBricks)) continue;
+    if (paired && !isSmall(a, b, c))
+      listPairedTriangle(triangle);
+    else
+      listTriangle(triangle, a, b, c);
   }
 }

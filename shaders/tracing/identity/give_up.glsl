@@ -2,10 +2,13 @@
 #include "tracing/identity/brick_work.glsl"
 #include "tracing/identity/bricks.glsl"
 
-void giveUp(uint brick) {
-  if (bricks[brick] == BRICK_MISSING) return;  // another triangle came before; looking saves the atomic
-  uint run = atomicExchange(bricks[brick], BRICK_MISSING);
-  if (!present(run)) return;
-  atomicAdd(brickWork.staleWords, runWords(run));
-  atomicAdd(brickWork.staleHeaderWords, headerWords(run));
+// Whether it was empty.
+bool giveUp(uint brick) {
+  if (bricks[brick] == BRICK_MISSING) return false;  // another triangle came before; looking saves the atomic
+  uint state = atomicExchange(bricks[brick], BRICK_MISSING);
+  if (present(state)) {
+    atomicAdd(brickWork.staleWords, runWords(state));
+    atomicAdd(brickWork.staleHeaderWords, headerWords(state));
+  }
+  return emptyBrick(state);
 }

@@ -1,10 +1,11 @@
 // Doubles the empty cubes that empty bricks begin: a cube is empty if the eight half as large in it are. What lies
-// beyond the grid is empty, too. In place, since sides only grow. One invocation per brick.
+// beyond the grid is empty, too. In place, since sides only grow. One invocation per brick of a box: cubes that begin
+// beyond it are as they were, and are read.
 #include "shared/passes/identity.h"
+#include "tracing/identity/brick_work.glsl"
 #include "tracing/identity/bricks.glsl"
 
-layout(local_size_x = 64) in;
-uniform uint brickCount;
+layout(local_size_x = GROW_GROUP_X, local_size_y = GROW_GROUP_YZ, local_size_z = GROW_GROUP_YZ) in;
 uniform int power;  // sides of 2^power bricks that are to be doubled
 
 // The directions, as bits, in which the brick begins an empty cube of that side.
@@ -21,11 +22,12 @@ uint emptyOctants(ivec3 brick) {
 }
 
 void main() {
-  uint index = gl_GlobalInvocationID.x + gl_GlobalInvocationID.y * gl_NumWorkGroups.x * gl_WorkGroupSize.x;
-  if (index >= brickCount) return;
-  uint state = bricks[index];
+  uvec3 low = uvec3(brickWork.growLowX, brickWork.growLowY, brickWork.growLowZ);
+  uvec3 size = uvec3(brickWork.growSizeX, brickWork.growSizeY, brickWork.growSizeZ);
+  if (any(greaterThanEqual(gl_GlobalInvocationID, size))) return;
+  ivec3 brick = ivec3(low + gl_GlobalInvocationID);
+  uint index = brickIndex(brick), state = bricks[index];
   if (!emptyBrick(state)) return;
-  ivec3 brick = brickAt(index);
   uint octants = emptyOctants(brick);
   for (int i = 0; i < 27; ++i) {
     ivec3 step = ivec3(i % 3, i / 3 % 3, i / 9) - 1;

@@ -4,8 +4,19 @@
 #include "tracing/common/mark_voxel.glsl"
 #include "tracing/identity/give_up.glsl"
 
+// Empty cubes that reach to the brick are to shrink.
+void noteFilled(ivec3 brick) {
+  uvec3 below = uvec3(FILLED_BELOW - brick), above = uvec3(brick + 1);
+  atomicMax(brickWork.filledBelowX, below.x);
+  atomicMax(brickWork.filledBelowY, below.y);
+  atomicMax(brickWork.filledBelowZ, below.z);
+  atomicMax(brickWork.filledAboveX, above.x);
+  atomicMax(brickWork.filledAboveY, above.y);
+  atomicMax(brickWork.filledAboveZ, above.z);
+}
+
 // `axis`: the one that the triangle is seen along.
 void markMoved(ivec3 brick, int axis) {
   markVoxel(brick, 1u << uint(axis) | VOXEL_MOVED);
-  giveUp(voxelIndex(brick));
+  if (giveUp(voxelIndex(brick))) noteFilled(brick);
 }
