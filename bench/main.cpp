@@ -2,6 +2,7 @@
 
 #include "apps/commands.h"
 #include "bench/modes/coverage/coverage.h"
+#include "bench/modes/demo/demo.h"
 #include "bench/modes/memory/memory.h"
 #include "bench/modes/mode.h"
 #include "bench/modes/pareto/pareto.h"
@@ -13,6 +14,7 @@ int main(int argc, char** argv) {
   using namespace halfsilver::bench;
   CLI::App program("Measures Halfsilver's methods against each other.", "halfsilver-bench");
   // In the order of the page that `all` makes.
-  addModes(program, {memoryMode(), speedMode(), coverageMode(), paretoMode(), stabilityMode(), scalingMode()});
+  addModes(program,
+           {memoryMode(), speedMode(), coverageMode(), paretoMode(), stabilityMode(), scalingMode(), demoMode()});
   return halfsilver::runCommand(program, argc, argv);
 }

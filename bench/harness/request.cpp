@@ -62,6 +62,18 @@ void addRequestOptions(CLI::App& command, Request& request, RequestTexts& texts)
       ->allow_extra_args(false);
 }
 
+void addReplayOptions(CLI::App& command, Request& request) {
+  for (const char* name : {"SCENE", "--mirror", "--camera", "--eye", "--target", "--fov", "--view"})
+    command.remove_option(command.get_option(name));
+  command.add_option("REPLAY", request.replay, "What `halfsilver demo --record` wrote")->required();
+  command.add_option("--frames", request.frames, "Frames to draw")->check(CLI::Range(1, 1000000));
+  command
+      .add_option(
+          "--frame-time", request.frameTime,
+          "Milliseconds per frame to hold by resolution and by the share of reflections (default: full quality)")
+      ->check(CLI::PositiveNumber);
+}
+
 void checkRequest(Request& request, const RequestTexts& texts) {
   request.size = parseSize(!texts.size.empty() ? texts.size : request.quick ? kQuickSize : kSize);
   if (!texts.eye.empty()) request.camera.eye = parseVector("--eye", texts.eye);

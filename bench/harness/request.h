@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,9 @@ struct Request {
   std::vector<ViewArgument> views;   // each scene is a sceneName()
   std::vector<std::string> presets;  // empty: the mode's own
   std::vector<std::string> methods;  // of stability; empty: all
+  std::string replay;                // of demo
+  std::optional<int> frames;         // of demo; default: the mode's
+  double frameTime = 0;              // of demo; milliseconds to hold, 0: full quality
   double timeLimit = 20;             // of scaling; seconds, above 0
 };
 
@@ -44,6 +48,8 @@ struct RequestTexts {
 
 // Adds the options of all modes; request and texts must outlive the command.
 void addRequestOptions(CLI::App& command, Request& request, RequestTexts& texts);
+// For a command that plays a recording of the game: takes SCENE and what belongs to scenes away.
+void addReplayOptions(CLI::App& command, Request& request);
 // Parses the texts into the request. Throws Error (usage).
 void checkRequest(Request& request, const RequestTexts& texts);
 

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <iostream>
+#include <iterator>
 #include <memory>
 #include <utility>
 
@@ -29,7 +30,10 @@ void addCommand(CLI::App& program, const std::string& name, const std::string& d
   };
   Request& request = shared->request;
   addRequestOptions(*command, request, shared->texts);
-  if (shared->modes.size() == 1 && any(&Mode::bringsOwnScenes)) command->get_option("SCENE")->required(false);
+  if (any(&Mode::takesReplay))
+    addReplayOptions(*command, request);
+  else if (shared->modes.size() == 1 && any(&Mode::bringsOwnScenes))
+    command->get_option("SCENE")->required(false);
   if (any(&Mode::takesPresets))
     command->add_option("--preset", request.presets, "A preset to measure; repeatable (see: halfsilver presets)")
         ->allow_extra_args(false);
@@ -124,7 +128,10 @@ void runModes(const Request& request, std::span<const Mode> modes) {
 
 void addModes(CLI::App& program, const std::vector<Mode>& modes) {
   for (const Mode& mode : modes) addCommand(program, mode.name, mode.description, {mode});
-  addCommand(program, "all", "All of these in turn, on one page", modes);
+  std::vector<Mode> ofScenes;
+  std::copy_if(modes.begin(), modes.end(), std::back_inserter(ofScenes),
+               [](const Mode& mode) { return !mode.takesReplay; });
+  addCommand(program, "all", "All that measure scenes in turn, on one page", ofScenes);
 }
 
 }  // namespace halfsilver::bench

@@ -51,6 +51,7 @@ struct Mode {
   bool takesPresets = false;     // --preset, see Request::presets
   bool takesMethods = false;     // --method, see Request::methods
   bool takesTimeLimit = false;   // --time-limit, see Request::timeLimit
+  bool takesReplay = false;      // a recording of the game instead of scenes; such a mode is no part of `all`
   bool bringsOwnScenes = false;  // if the command names none; always in `all`
   // Throws Error: a bad request must not show after an hour's work. Error (failed) excludes the mode from `all`.
   std::function<Plan(const Setup&)> plan;
@@ -59,7 +60,7 @@ struct Mode {
 // Measures and writes one folder with the files of all modes and one page.
 void runModes(const Request& request, std::span<const Mode> modes);
 
-// Adds a command for each mode, and `all`.
+// Adds a command for each mode, and `all` of those that take scenes.
 void addModes(CLI::App& program, const std::vector<Mode>& modes);
 
 }  // namespace halfsilver::bench

@@ -1,25 +1,9 @@
-#include <dlfcn.h>
-
 #include <memory>
 
-#include <halfsilver/error.h>
 #include "apps/commands.h"
-#include "apps/demo/demo.h"
+#include "apps/demo_module.h"
 
 namespace halfsilver {
-namespace {
-
-demo::Run* demoModule() {
-  if constexpr (!HALFSILVER_DEMO)
-    throw Error(ErrorKind::noContext, "demo: this program was built without it (HALFSILVER_DEMO=OFF)");
-  void* module = dlopen(demo::kModule, RTLD_NOW | RTLD_LOCAL);
-  void* function = module ? dlsym(module, demo::kRunFunction) : nullptr;
-  if (!function) throw Error(ErrorKind::noContext, std::string("demo: ") + dlerror());
-  return reinterpret_cast<demo::Run*>(function);
-}
-
-}  // namespace
-
 void addDemoCommand(CLI::App& program) {
   CLI::App* command = program.add_subcommand("demo", "Play the game, or look around in a scene, in a window");
   const auto shared = std::make_shared<demo::Request>();
@@ -44,10 +28,7 @@ void addDemoCommand(CLI::App& program) {
   command->add_option("--split", request.split, "A preset or a method that draws the right half");
   command->add_flag("--window", request.window, "Open a window with --frames, too");
   command->add_flag("--overlay", request.overlay, "Draw the overlay into the frames of --frames, too");
-  command->callback([shared] {
-    const demo::Outcome outcome = demoModule()(*shared);
-    if (outcome.exitCode != 0) throw Error(static_cast<ErrorKind>(outcome.exitCode), outcome.message);
-  });
+  command->callback([shared] { runDemo(*shared); });
 }
 
 }  // namespace halfsilver

@@ -30,6 +30,7 @@ struct Curve {
   std::vector<Sample> samples;
   std::size_t color = 0;  // index into a fixed palette
   bool measured = true;   // a line with marks and error bars; otherwise a dashed line
+  bool marks = true;      // false: of what is measured only the line, for many samples
 };
 
 struct Tick {

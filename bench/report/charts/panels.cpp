@@ -78,7 +78,9 @@ std::string gnuplotScript(const PanelGrid& grid, ChartFormat format) {
         script << sample.x << ' ' << sample.y << ' ' << sample.low << ' ' << sample.high << '\n';
       script << "NaN NaN NaN NaN\nEND\n";
       plots += plots.empty() ? "plot " : ", ";
-      if (curve.measured)
+      if (curve.measured && !curve.marks)
+        plots += data + " with lines" + color + title;
+      else if (curve.measured)
         plots += data + " with yerrorlines pt 7 ps 0.4" + color + title;
       else
         plots += data + " with lines dt 2" + color + title;
