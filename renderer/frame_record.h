@@ -13,12 +13,26 @@
 
 namespace halfsilver {
 
+// What a frame is for.
+struct PictureUse {
+  enum class Kind {
+    frame,    // a picture of its own
+    sample,   // one of those that Renderer::refine() averages
+    temporal  // joined with those before
+  };
+  Kind kind = Kind::frame;
+  bool first = true;   // nothing that was drawn before goes into the picture
+  bool still = false;  // temporal: nothing has changed since the frame before
+  glm::vec2 jitter{0};
+};
+
 // Everything that one frame owns, so that two can be under way. The batches of first rays stay until the next frame,
 // since the layers show them; later generations take turns with two queues.
 struct Frame {
   gl::Buffer constants;  // FrameConstants
   shared::FrameConstants host{};
   Settings settings;
+  PictureUse use;
   GBuffer gbuffer;
   EffectFrame effect;
   std::vector<RayBatch> batches;

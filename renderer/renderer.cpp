@@ -91,7 +91,8 @@ void Renderer::Impl::finishBatch(const FrameView& view, Frame& frame, RayBatch& 
 }
 
 // The stages of README.md up to the rays.
-void Renderer::Impl::begin(const Camera& camera, const Settings& wanted, int width, int height) {
+void Renderer::Impl::begin(const Camera& camera, const Settings& wanted, int width, int height,
+                           const std::optional<std::uint32_t>& sample) {
   if (!hasScene) throw Error(ErrorKind::usage, "begin() needs a scene: call setScene() first");
   if (underWay.size() == kFrames)
     throw Error(ErrorKind::usage, "begin(): two frames are under way, finish() one first");
@@ -110,9 +111,11 @@ void Renderer::Impl::begin(const Camera& camera, const Settings& wanted, int wid
   useTracer(wanted);
   if (rig) posePass.run(*rig, scene, record.profiler());
   drawShadows(wanted, record.profiler());
+  const PictureUse use = picture.begin(camera, wanted, {width, height}, sample);
   const shared::FrameConstants constants =
-      makeFrameConstants(camera, scene.extents.bounds(), sky, wanted, width, height, shadows.ranges);
+      makeFrameConstants(camera, scene.extents.bounds(), sky, wanted, width, height, shadows.ranges, use.jitter);
   if (shown == work.frame) shown.reset();
+  frame.use = use;
   frame.settings = wanted;
   frame.host = constants;
   if (!frame.constants) frame.constants = gl::Buffer(api, sizeof(frame.host), "frame constants");
@@ -120,8 +123,8 @@ void Renderer::Impl::begin(const Camera& camera, const Settings& wanted, int wid
 
   const FrameView view = viewOf(frame, record.profiler());
   gbufferPass.run(view, frame.gbuffer);
-  if (wanted.image.motion) {
-    motionPass.run(view, std::exchange(moved, {}), frame.gbuffer);
+  if (wanted.image.motion || use.kind == PictureUse::Kind::temporal) {
+    motionPass.run(view, std::exchange(moved, {}), use.kind != PictureUse::Kind::sample || use.first, frame.gbuffer);
   } else {
     motionPass.forget();
     frame.gbuffer.motion = gl::Texture();
@@ -162,7 +165,7 @@ void Renderer::Impl::finish(const Target& target) {
         finishBatch(view, frame, frame.batches[number]);
       }
     }
-    compositePass.run(view, frame.gbuffer, CompositePass::Output::display, target.framebuffer, {target.x, target.y});
+    picture.show(view, frame, motionPass.previousPositions(), target);
   }
   // Counts (selection, build, trace) are copied for the report.
   api.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
@@ -173,7 +176,8 @@ void Renderer::Impl::finish(const Target& target) {
   held.textures = scene.textureBytes();
   held.shadowMaps = shadows.bytes();
   held.geometry += motionPass.bytes() + (rig ? rig->bytes() : 0);
-  held.peak = held.geometry + held.textures + held.shadowMaps;
+  held.pictures = picture.bytes();
+  held.peak = held.geometry + held.textures + held.shadowMaps + held.pictures;
   for (const Frame& each : frames) {
     held.queues += each.bytes() - each.gbuffer.bytes();
     held.peak += each.bytes();
@@ -187,6 +191,7 @@ void Renderer::Impl::finish(const Target& target) {
 void Renderer::Impl::noteChange(const SceneChange& changed) {
   change.add(changed);
   moved.insert(moved.end(), changed.moved.begin(), changed.moved.end());
+  picture.changed();
   shadowSettings.reset();
   shown.reset();  // its layers would show the changed scene
 }
@@ -210,6 +215,7 @@ void Renderer::Impl::upload(const Scene& wanted, const SceneChange& changed) {
 void Renderer::Impl::load(const Scene& wanted, std::vector<PosedPart> posed) {
   hasScene = false;
   shown.reset();
+  picture.forget();
   reported.reset();
   unreported.clear();
   tracer.reset();  // it knows the old scene
@@ -314,6 +320,17 @@ void Renderer::render(const Camera& camera, const Settings& settings, const Targ
   impl_->begin(camera, settings, target.width, target.height);
   impl_->finish(target);
 }
+
+void Renderer::refine(const Camera& camera, const Settings& settings, const Target& target, std::uint32_t sample) {
+  if (!impl_->underWay.empty()) throw Error(ErrorKind::usage, "refine(): a frame is under way, finish() it first");
+  const gl::StateGuard guard(impl_->api);
+  impl_->begin(camera, settings, target.width, target.height, sample);
+  impl_->finish(target);
+}
+
+std::uint32_t Renderer::samples() const { return impl_->picture.samples(); }
+
+void Renderer::forgetHistory() { impl_->picture.forget(); }
 
 FrameReport Renderer::report() {
   Impl& r = *impl_;

@@ -15,12 +15,12 @@
 #include "effects/ray_effect.h"
 #include "frame/gpu_rig.h"
 #include "frame_record.h"
-#include "passes/composite.h"
 #include "passes/gbuffer.h"
 #include "passes/motion.h"
 #include "passes/pose.h"
 #include "passes/shade.h"
 #include "passes/shadows.h"
+#include "picture.h"
 
 namespace halfsilver {
 
@@ -39,7 +39,7 @@ struct Renderer::Impl {
   GBufferPass gbufferPass{api};
   MotionPass motionPass{api};
   ShadePass shadePass{api};
-  CompositePass compositePass{api};
+  Picture picture{api};
   std::unique_ptr<RayEffect> effect = makeEffect(api, {});
 
   GpuScene scene;
@@ -82,7 +82,8 @@ struct Renderer::Impl {
   void reserveHits(const RayQueue& rays, Hits& hits) const;
   void submitBatch(const FrameView& view, Frame& frame, std::size_t number);
   void finishBatch(const FrameView& view, Frame& frame, RayBatch& batch);
-  void begin(const Camera& camera, const Settings& wanted, int width, int height);
+  void begin(const Camera& camera, const Settings& wanted, int width, int height,
+             const std::optional<std::uint32_t>& sample = {});
   void finish(const Target& target);
   void noteChange(const SceneChange& changed);
   void load(const Scene& wanted, std::vector<PosedPart> posed);

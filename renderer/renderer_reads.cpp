@@ -33,8 +33,7 @@ Image Renderer::readLayers() const {
   const gl::Framebuffer framebuffer(r.api);
   framebuffer.attach(GL_COLOR_ATTACHMENT0, linear);
   gl::Profiler untimed(r.api);
-  r.compositePass.run(r.viewOf(frame, untimed), frame.gbuffer, CompositePass::Output::linear, framebuffer.name(),
-                      {0, 0});
+  r.picture.readLinear(r.viewOf(frame, untimed), frame, framebuffer.name());
   // Images and buffers (all stages) are read by the host.
   r.api.MemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
   if (!r.rayReader) r.rayReader.emplace(r.api);

@@ -20,6 +20,7 @@ constexpr auto choiceNames(VoxelRaster) { return std::array{"voxel", "abuffer", 
 constexpr auto choiceNames(AxisRule) { return std::array{"normal", "area", "own"}; }
 constexpr auto choiceNames(TraceStage) { return std::array{"compute", "fragment"}; }
 constexpr auto choiceNames(ToneMap) { return std::array{"filmic", "none"}; }
+constexpr auto choiceNames(Antialiasing) { return std::array{"none", "fxaa", "temporal"}; }
 
 template <class T>
 constexpr bool isChoice = std::is_enum_v<T> || std::is_same_v<T, std::string>;  // the one text names a method
@@ -75,6 +76,7 @@ void visitAll(S& s, Visitor&& visit) {
   visit("image.exposure", s.image.exposure, -20, 20, "stops");
   visit("image.tone_map", s.image.toneMap, 0, 0, "from linear radiance to the display");
   visit("image.motion", s.image.motion, 0, 1, "makes motion vectors, for the layers");
+  visit("image.antialiasing", s.image.antialiasing, 0, 0, "how frames in motion get smooth edges");
 }
 
 // The shortest text that reads back as the same value: 0.4 for the float 0.4.

@@ -1,5 +1,9 @@
 #include "apps/drawing.h"
 
+#include <algorithm>
+#include <span>
+#include <vector>
+
 #if HALFSILVER_EXACT
 #include <halfsilver/exact.h>
 #endif
@@ -9,6 +13,35 @@ namespace {
 
 // The first draw compiles shaders, and some methods size their pool by the previous frame.
 constexpr int kMaxFirstFrames = 4;
+
+// Times of several frames together, stage by stage. Rejected ones count as the mean of the others.
+class StageSums {
+ public:
+  void add(std::span<const StageTime> times) {
+    for (const StageTime& time : times) {
+      auto known = std::find_if(sums_.begin(), sums_.end(), [&](const Sum& sum) { return sum.stage == time.stage; });
+      if (known == sums_.end()) known = sums_.insert(sums_.end(), {.stage = time.stage});
+      ++known->runs;
+      if (time.milliseconds < 0) continue;
+      ++known->accepted;
+      known->milliseconds += time.milliseconds;
+    }
+  }
+  std::vector<StageTime> all() const {
+    std::vector<StageTime> times;
+    for (const Sum& sum : sums_)
+      times.push_back({sum.stage, sum.accepted ? sum.milliseconds * sum.runs / sum.accepted : -1});
+    return times;
+  }
+
+ private:
+  struct Sum {
+    std::string stage;
+    double milliseconds = 0;
+    int runs = 0, accepted = 0;
+  };
+  std::vector<Sum> sums_;
+};
 
 }  // namespace
 
@@ -27,13 +60,35 @@ TracerFactory exactFactory(const Scene& scene, int threads) {
 #endif
 }
 
+FrameReport drawPicture(Renderer& renderer, const Camera& camera, const Settings& settings, const Target& target,
+                        int samples) {
+  if (samples == 1) {
+    renderer.render(camera, settings, target);
+    return renderer.report();
+  }
+  renderer.forgetHistory();
+  FrameReport report;
+  StageSums times;
+  std::uint64_t overflow = 0, lostFragments = 0;
+  for (int sample = samples - 1; sample >= 0; --sample) {
+    renderer.refine(camera, settings, target, static_cast<std::uint32_t>(sample));
+    report = renderer.report();
+    times.add(report.times);
+    overflow += report.overflow;
+    lostFragments += report.lostFragments;
+  }
+  report.times = times.all();
+  report.overflow = overflow;
+  report.lostFragments = lostFragments;
+  return report;
+}
+
 int drawFirstFrame(Renderer& renderer, const Camera& camera, const Settings& settings, const Target& target,
-                   FrameReport& report) {
+                   FrameReport& report, int samples) {
   int drawn = 0;
   std::vector<StageTime> shadow;
   do {
-    renderer.render(camera, settings, target);
-    report = renderer.report();
+    report = drawPicture(renderer, camera, settings, target, samples);
     // Only the very first one draws shadow maps.
     for (const StageTime& time : report.times)
       if (time.stage == "shadow" && drawn == 0) shadow.push_back(time);

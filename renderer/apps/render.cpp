@@ -22,11 +22,14 @@ struct RenderRequest {
   ViewRequest view;
   OutputPaths outputs;
   std::optional<int> repeat;
+  int samples = 1;
   std::string frames;
   std::optional<double> framesPerSecond;
   bool overwrite = false;
   std::optional<double> budgetMilliseconds, budgetMegabytes;
 };
+
+constexpr int kMaxSamples = 4096;
 
 // Frames that a budget may take to settle.
 constexpr int kMaxBudgetFrames = 60;
@@ -38,7 +41,7 @@ class Frames {
  public:
   Frames(Renderer& renderer, const Camera& camera, const Target& target, const RenderRequest& request,
          RunStatistics& statistics)
-      : renderer_(&renderer), camera_(&camera), target_(target), statistics_(&statistics) {
+      : renderer_(&renderer), camera_(&camera), target_(target), samples_(request.samples), statistics_(&statistics) {
     if (!request.budgetMilliseconds && !request.budgetMegabytes) return;
     BudgetLimits limits;
     if (request.budgetMilliseconds) limits.milliseconds = *request.budgetMilliseconds;
@@ -51,7 +54,7 @@ class Frames {
   void draw(int repeat, Progress& progress, WallClock& clock) {
     FrameReport& report = statistics_->report;
     progress.show("first frame");
-    int warmUp = drawFirstFrame(*renderer_, *camera_, statistics_->settings, target_, report);
+    int warmUp = drawFirstFrame(*renderer_, *camera_, statistics_->settings, target_, report, samples_);
     std::vector<StageTime> pictureTimes = report.times;
     addWarnings(report.warnings, statistics_->warnings);
     clock.lap("first_frame");
@@ -95,8 +98,7 @@ class Frames {
       if (budget_->forgetStructures()) renderer_->forgetStructures();
       statistics_->budget->minContribution = settings.select.minContribution;
     }
-    renderer_->render(*camera_, settings, target_);
-    statistics_->report = renderer_->report();
+    statistics_->report = drawPicture(*renderer_, *camera_, settings, target_, samples_);
     if (budget_) {
       budget_->learn(statistics_->report);
       statistics_->budget->dropped = budget_->dropped();
@@ -113,6 +115,7 @@ class Frames {
   Renderer* renderer_;
   const Camera* camera_;
   Target target_;
+  int samples_;
   RunStatistics* statistics_;
   std::optional<Budget> budget_;
 };
@@ -126,6 +129,8 @@ void checkBudget(const char* option, const std::optional<double>& limit) {
 std::optional<FrameRange> checkRequest(const RenderRequest& request) {
   checkBudget("--budget-ms", request.budgetMilliseconds);
   checkBudget("--budget-mb", request.budgetMegabytes);
+  if (request.samples > 1 && (request.budgetMilliseconds || request.budgetMegabytes))
+    throw Error(ErrorKind::usage, "--samples cannot be combined with a budget");
   checkOutputs(request.outputs);
   if (request.frames.empty()) {
     if (request.framesPerSecond || request.overwrite)
@@ -147,7 +152,8 @@ void renderPicture(const RenderRequest& request, const ViewArguments& arguments,
   RenderJob job(request.view, arguments, settings, std::move(model), progress, clock);
   RunStatistics& statistics = job.statistics;
 
-  const int repeat = request.repeat.value_or(request.outputs.stats.empty() ? 0 : 1);
+  const int repeat = request.repeat.value_or(request.outputs.stats.empty() || request.samples > 1 ? 0 : 1);
+  statistics.samples = request.samples;
   Frames(job.renderer, camera, job.target.target(), request, statistics).draw(repeat, progress, clock);
   progress.show("writing " + request.outputs.picture);
   outputs.writePictures(job.renderer, job.target, statistics.diagonal);
@@ -170,7 +176,8 @@ void render(const RenderRequest& request) {
   applyOverrides(settings, request.view);
   Progress progress;
   if (range)
-    renderSequence({request.view, arguments, settings, request.outputs, *range, request.overwrite}, progress, clock);
+    renderSequence({request.view, arguments, settings, request.outputs, *range, request.overwrite, request.samples},
+                   progress, clock);
   else
     renderPicture(request, arguments, settings, progress, clock);
 }
@@ -195,9 +202,15 @@ void addRenderCommand(CLI::App& program) {
   addViewOptions(*command, request.view);
   command
       ->add_option("--repeat", request.repeat,
-                   "Frames to measure after the first one; times are medians (default: 1 with --stats, otherwise "
-                   "none, and the picture is the first frame)")
+                   "Frames to measure after the first one; times are medians (default: 1 with --stats but without "
+                   "--samples, otherwise none, and the picture is the first frame)")
       ->check(CLI::Range(1, 100000));
+  command
+      ->add_option("--samples", request.samples,
+                   "Samples per pixel, 1 to 4096: the picture is the mean of as many frames, in linear light, each "
+                   "with its own rays; times are those of the whole picture")
+      ->check(CLI::Range(1, kMaxSamples))
+      ->capture_default_str();
   command->add_option(
       "--frames", request.frames,
       "A..B: render an image sequence of the animations, frame n at n / fps seconds; frames whose files "

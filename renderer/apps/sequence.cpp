@@ -116,10 +116,10 @@ void renderSequence(const SequenceRequest& request, Progress& progress, WallCloc
   RenderJob job(request.view, request.arguments, settings, std::move(loaded), progress, clock);
 
   // Motion is that since the frame before: if that one was not drawn, it is drawn now and not kept.
-  const auto show = [&](int frame, FrameReport& report) {
+  const auto show = [&](int frame, int samples, FrameReport& report) {
     job.renderer.update(job.model.scene, pose(job.model, playTogether(animations, secondsOf(frame))));
     drawFirstFrame(job.renderer, chooseCamera(job.model.scene, request.arguments.camera), settings, job.target.target(),
-                   report);
+                   report, samples);
   };
   std::optional<int> drawn;
   std::vector<std::string> warnings = job.statistics.warnings;
@@ -128,8 +128,9 @@ void renderSequence(const SequenceRequest& request, Progress& progress, WallCloc
     progress.show(pace.next(frame));
     Outputs outputs(numbered(request.outputs, frame));
     RunStatistics statistics = job.statistics;
-    if (settings.image.motion && frame > 0 && drawn != frame - 1) show(frame - 1, statistics.report);
-    show(frame, statistics.report);
+    statistics.samples = request.samples;
+    if (settings.image.motion && frame > 0 && drawn != frame - 1) show(frame - 1, 1, statistics.report);
+    show(frame, request.samples, statistics.report);
     drawn = frame;
     statistics.diagonal = job.model.scene.bounds().diagonal();
     statistics.firstFrame = frame == frames.front();

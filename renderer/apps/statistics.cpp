@@ -136,7 +136,8 @@ Json toJson(const RunStatistics& s) {
                     {"total", s.report.pixels},
                     {"reflecting", s.report.reflecting},
                     {"selected", s.report.selected},
-                    {"coverage", coverage(s.report)}};
+                    {"coverage", coverage(s.report)},
+                    {"samples", s.samples}};
   json["memory"] = {{"voxels", memory.voxels},
                     {"heads", memory.heads},
                     {"pool_reserved", memory.poolReserved},
@@ -152,6 +153,7 @@ Json toJson(const RunStatistics& s) {
                     {"textures", memory.textures},
                     {"shadow_maps", memory.shadowMaps},
                     {"queues", memory.queues},
+                    {"pictures", memory.pictures},
                     {"transient", memory.transient},
                     {"peak", memory.peak}};
   json["time_ms"] = Json::object();
@@ -201,6 +203,7 @@ std::string toTable(const RunStatistics& s) {
   std::string table;
   table += s.sceneFile + ", " + std::to_string(s.triangles) + " triangles, " + std::to_string(s.width) + "x" +
            std::to_string(s.height) + ", " + s.device.renderer + " (" + s.context + ")\n";
+  if (s.samples > 1) table += std::to_string(s.samples) + " samples per pixel; times are of the whole picture\n";
   table += "GPU stage       median        min        max ms   runs";
   table += s.firstFrame ? "   (first frame; use --repeat N for warm frames)\n" : "\n";
   for (const StageSummary& stage : s.stages) {
@@ -217,7 +220,8 @@ std::string toTable(const RunStatistics& s) {
            megabytes(memory.poolReserved) + "), peak " + megabytes(memory.peak) + "\n";
   table += "of the peak G-buffer " + megabytes(memory.gbuffer) + ", geometry " + megabytes(memory.geometry) +
            ", textures " + megabytes(memory.textures) + ", shadow maps " + megabytes(memory.shadowMaps) +
-           ", queues of rays " + megabytes(memory.queues) + "\n";
+           ", queues of rays " + megabytes(memory.queues) +
+           (memory.pictures ? ", samples and history " + megabytes(memory.pictures) : "") + "\n";
   if (memory.grid[0] > 0) table += format("voxels      %d x %d x %d\n", memory.grid[0], memory.grid[1], memory.grid[2]);
   if (memory.fragments)
     table += format("fragments   %llu generated, %llu stored (x %llu, y %llu, z %llu), %.1f bytes each\n",

@@ -57,6 +57,7 @@ struct RunStatistics {
   double diagonal = 0;  // meters
   Settings settings;
   int width = 0, height = 0;
+  int samples = 1;     // per pixel; times are those of all
   FrameReport report;  // of the last frame
   std::optional<BudgetSummary> budget;
   std::vector<StageSummary> stages;

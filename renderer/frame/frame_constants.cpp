@@ -50,7 +50,8 @@ double chooseNear(const Camera& camera, const Bounds& bounds, double tangentX, d
 }  // namespace
 
 shared::FrameConstants makeFrameConstants(const Camera& camera, const Bounds& bounds, const Sky& sky,
-                                          const Settings& settings, int width, int height, const LightRanges& lights) {
+                                          const Settings& settings, int width, int height, const LightRanges& lights,
+                                          const glm::vec2& jitter) {
   if (width < 1 || height < 1) throw Error(ErrorKind::usage, "the picture's size must be at least 1 x 1");
   if (!(camera.verticalFov > 0 && camera.verticalFov < 3.14159f))
     throw Error(ErrorKind::usage, "the camera's field of view must lie between 0 and 180 degrees");
@@ -66,9 +67,11 @@ shared::FrameConstants makeFrameConstants(const Camera& camera, const Bounds& bo
   const double zOffset = farPlane > 0 ? farPlane * nearPlane / (farPlane - nearPlane) : nearPlane;
   const dvec3 eye(camera.eye);
   const auto row = [&](const dvec3& axis, double offset) { return dvec4(axis, offset - glm::dot(axis, eye)); };
-  const dmat4 viewProjection =
-      glm::transpose(dmat4(row(basis.right / (tangent * aspect), 0), row(basis.up / tangent, 0),
-                           row(basis.forward * zScale, zOffset), row(basis.forward, 0)));
+  // Samples come to lie at the centers of pixels.
+  const glm::dvec2 shift = 2.0 * glm::dvec2(jitter) / glm::dvec2(width, height);
+  const dmat4 viewProjection = glm::transpose(dmat4(row(basis.right / (tangent * aspect) - shift.x * basis.forward, 0),
+                                                    row(basis.up / tangent - shift.y * basis.forward, 0),
+                                                    row(basis.forward * zScale, zOffset), row(basis.forward, 0)));
 
   shared::FrameConstants frame{};
   frame.viewProjection = glm::mat4(viewProjection);
@@ -106,7 +109,21 @@ shared::FrameConstants makeFrameConstants(const Camera& camera, const Bounds& bo
   const bool traces = settings.select.mode != SelectMode::none && settings.trace.method != "none";
   frame.fill = traces ? static_cast<std::uint32_t>(settings.select.fill) : FILL_SKY;
   frame.bounces = static_cast<std::uint32_t>(settings.trace.bounces);
+  frame.jitter = jitter;
   return frame;
+}
+
+glm::vec2 sampleOffset(std::uint32_t sample) {
+  // Bits of the number choose columns of the two generator matrices; the first half bit moves the first point from the
+  // corner to the center and keeps the sequence's strata.
+  std::uint32_t x = 0x80000000u, y = x, column = 0x80000000u;
+  for (std::uint32_t bit = 0; bit < 32; ++bit, column ^= column >> 1)
+    if (sample >> bit & 1) {
+      x ^= 0x80000000u >> bit;
+      y ^= column;
+    }
+  const double scale = 0x1p-32;
+  return glm::dvec2(x, y) * scale - 0.5;
 }
 
 float smallestHitDistance(const Bounds& bounds) {

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstdint>
+#include <glm/glm.hpp>
+
 #include <halfsilver/bounds.h>
 #include <halfsilver/products.h>
 #include <halfsilver/scene.h>
@@ -11,9 +14,16 @@ namespace halfsilver {
 // Constants of one frame. viewProjection is a reversed-Z projection for a clip space of depth 0..1 (1 at the near
 // plane, 0 at the far plane or at infinity); frame.farPlane keeps the far plane, 0 if there is none. Planes that the
 // camera leaves at 0: near just before the scene's bounds or a small part of their diagonal, far at infinity.
+// `jitter`: where the pixels' samples lie, from their centers, in pixels; viewProjection brings samples to the centers.
 // Throws Error (usage) for a size below 1 or a camera without a direction or a field of view.
 shared::FrameConstants makeFrameConstants(const Camera& camera, const Bounds& bounds, const Sky& sky,
-                                          const Settings& settings, int width, int height, const LightRanges& lights);
+                                          const Settings& settings, int width, int height, const LightRanges& lights,
+                                          const glm::vec2& jitter = glm::vec2(0));
+
+// Where sample number `sample` of a pixel lies, from its center, in pixels (-0.5..0.5): the first at the center, every
+// beginning of the sequence evenly spread over the pixel (the first two dimensions of Sobol 1967). The mean of all is a
+// box filter one pixel wide.
+glm::vec2 sampleOffset(std::uint32_t sample);
 
 // Hits nearer than this are ignored by every method: 1e-5 of the diagonal of the bounds. Meters.
 float smallestHitDistance(const Bounds& bounds);

@@ -7,21 +7,22 @@
 namespace halfsilver {
 namespace {
 
-gl::Program makeProgram(const gl::Api& api, bool linear) {
+gl::Program makeProgram(const gl::Api& api, const char* define = nullptr) {
   std::vector<gl::Define> defines;
-  if (linear) defines.push_back({"LINEAR"});
+  if (define) defines.push_back({define});
   return gl::Program::raster(api, "passes/fullscreen.vert", "passes/composite.frag", defines);
 }
 
 }  // namespace
 
 CompositePass::CompositePass(const gl::Api& api)
-    : api_(&api), display_(makeProgram(api, false)), linear_(makeProgram(api, true)), vertexArray_(api) {}
+    : api_(&api), display_(makeProgram(api)), linear_(makeProgram(api, "LINEAR")), vertexArray_(api) {}
 
 void CompositePass::run(const FrameView& view, const GBuffer& gbuffer, Output output, GLuint framebuffer,
-                        const glm::ivec2& origin) const {
+                        const glm::ivec2& origin) {
+  if (output == Output::undithered && !undithered_) undithered_ = makeProgram(*api_, "UNDITHERED");
   const auto section = view.profiler.section("composite");
-  const gl::Program& program = output == Output::display ? display_ : linear_;
+  const gl::Program& program = output == Output::display ? display_ : output == Output::linear ? linear_ : undithered_;
   program.set("origin", glm::vec2(origin));
   program.use();
   view.constants.bindUniform(UBO_FRAME);

@@ -12,19 +12,19 @@ namespace halfsilver {
 class CompositePass {
  public:
   enum class Output {
-    display,  // exposed, tone mapped, sRGB-encoded by the shader, dithered: for plain 8-bit color
-    linear    // radiance: for float color
+    display,     // exposed, tone mapped, sRGB-encoded by the shader, dithered: for plain 8-bit color
+    undithered,  // the same for float color
+    linear       // radiance: for float color
   };
 
   explicit CompositePass(const gl::Api& api);
 
   // Draws to color output 0 of `framebuffer` with its lower left corner at `origin`. Alpha is 1.
-  void run(const FrameView& view, const GBuffer& gbuffer, Output output, GLuint framebuffer,
-           const glm::ivec2& origin) const;
+  void run(const FrameView& view, const GBuffer& gbuffer, Output output, GLuint framebuffer, const glm::ivec2& origin);
 
  private:
   const gl::Api* api_;
-  gl::Program display_, linear_;
+  gl::Program display_, undithered_, linear_;  // the second is made when first used
   gl::EmptyVertexArray vertexArray_;
 };
 

@@ -13,11 +13,13 @@ constexpr GLsizeiptr kVertexBytes = 3 * sizeof(float);
 
 }  // namespace
 
-void MotionPass::run(const FrameView& view, std::vector<VertexRange> moved, GBuffer& gbuffer) {
+void MotionPass::run(const FrameView& view, std::vector<VertexRange> moved, bool next, GBuffer& gbuffer) {
   const gl::Api& gl = *api_;
-  advance(view.scene);
-  frame_ = view.frame;
-  moved_ = std::move(moved);
+  if (next) {
+    advance(view.scene);
+    frame_ = view.frame;
+    moved_ = std::move(moved);
+  }
   if (!program_) program_ = gl::Program::compute(gl, "passes/motion.comp");
   if (!gbuffer.motion)
     gbuffer.motion = gl::Texture(gl, {.format = GL_RG32F, .width = gbuffer.width, .height = gbuffer.height}, "motion");

@@ -16,8 +16,9 @@ class MotionPass {
   explicit MotionPass(const gl::Api& api) : api_(&api) {}
 
   // Part of the section "gbuffer". Writes GBuffer::motion; 0 everywhere if there is no frame before to compare with.
-  // `moved` are the vertices that moved since that one.
-  void run(const FrameView& view, std::vector<VertexRange> moved, GBuffer& gbuffer);
+  // `moved` are the vertices that moved since that one. Without `next` the moment of the last frame is drawn again: the
+  // frame before stays the same.
+  void run(const FrameView& view, std::vector<VertexRange> moved, bool next, GBuffer& gbuffer);
   // Before vertices move again: what the frame drew last is the frame before from now on.
   void advance(const GpuScene& scene);
   // The next frame has none before it.
@@ -25,6 +26,7 @@ class MotionPass {
 
   // SSBO_PREVIOUS_POSITIONS and UBO_PREVIOUS_FRAME, of the frame before the one that run() saw last.
   void bindPrevious() const;
+  const gl::Buffer& previousPositions() const { return positions_; }
   std::size_t bytes() const { return positions_.bytes() + constants_.bytes(); }
 
  private:

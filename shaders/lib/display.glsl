@@ -24,3 +24,17 @@ vec3 displayed(vec3 radiance) {
   radiance = max(radiance * frame.exposure, vec3(0.0));
   return encodeSrgb(clamp(frame.toneMap == 0u ? filmic(radiance) : radiance, 0.0, 1.0));
 }
+
+// Ordered 8 x 8 dither, -0.5..0.5: the bits of x xor y and of y, interleaved from the lowest.
+float dither(ivec2 pixel) {
+  int mixed = pixel.x ^ pixel.y;
+  int value = 0;
+  for (int bit = 0; bit < 3; ++bit) value = (value << 2) | (((mixed >> bit) & 1) << 1) | ((pixel.y >> bit) & 1);
+  return (float(value) + 0.5) / 64.0 - 0.5;
+}
+
+// A display value, 0..1, for 8 bits at a pixel of the picture. Black and white stay exact.
+vec3 dithered(vec3 display, ivec2 pixel) {
+  vec3 room = min(min(display, 1.0 - display) * 255.0, 1.0);
+  return display + dither(pixel) / 255.0 * room;
+}

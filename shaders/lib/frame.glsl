@@ -10,8 +10,11 @@ vec2 screenPosition(ivec2 pixel) {
   return vec2(2 * pixel + 1 - size) / vec2(size);
 }
 
-// Through the pixel's center, not normalized: its component along frame.forward is 1.
+// From there to the pixel's sample, the same for all pixels.
+vec2 sampleShift() { return 2.0 * frame.jitter / vec2(frame.width, frame.height); }
+
+// Through the pixel's sample, not normalized: its component along frame.forward is 1.
 vec3 pixelRay(ivec2 pixel) {
-  vec2 screen = screenPosition(pixel);
+  vec2 screen = screenPosition(pixel) + sampleShift();
   return frame.forward + screen.x * frame.right + screen.y * frame.up;
 }

@@ -15,6 +15,8 @@ void main() {
   float w = dot(relative, frame.forward);
   float near = frame.nearPlane, far = frame.farPlane;
   float z = far > 0.0 ? near * (far - w) / (far - near) : near;
-  gl_Position = vec4(dot(relative, frame.right) / dot(frame.right, frame.right),
-                     dot(relative, frame.up) / dot(frame.up, frame.up), z, w);
+  vec2 screen = vec2(dot(relative, frame.right) / dot(frame.right, frame.right),
+                     dot(relative, frame.up) / dot(frame.up, frame.up));
+  // The rasterizer looks at pixel centers: samples come to lie there.
+  gl_Position = vec4(screen - sampleShift() * w, z, w);
 }

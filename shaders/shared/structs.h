@@ -99,7 +99,7 @@ struct GpuLight {
 #define CONTRIBUTION_CLASSES 256
 #define CONTRIBUTION_OCTAVES 16
 
-// Constants of one frame. A pixel's ray is forward + x * right + y * up, x and y in -1..1.
+// Constants of one frame. A pixel's ray is forward + x * right + y * up, x and y in -1..1 (of its sample).
 struct FrameConstants {
   mat4 viewProjection;
   vec3 eye;
@@ -134,8 +134,7 @@ struct FrameConstants {
   uint bounces;
   uint skyDirections;
   uint hemispheres;
-  uint padding0;
-  uint padding1;
+  vec2 jitter;  // of the sample, from the pixel's center, pixels
 };
 
 #endif

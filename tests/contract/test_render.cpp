@@ -312,5 +312,32 @@ TEST(Render, ReplacesAnOldPicture) {
   EXPECT_EQ(readImage(folder / "a.png").image.width, 8);
 }
 
+// The mean of four frames: the same bytes on any number of the device's threads.
+TEST(Samples, GiveTheSamePictureWhateverTheThreads) {
+  const TemporaryFolder folder;
+  expectDone(runProgramIn(folder, kQuickSphere + "-o one.exr --layers one_layers.exr"));
+  for (const std::string threads : {"0", "2"})
+    expectDone(runProgramIn(
+        folder, kQuickSphere + "--samples 4 -o " + threads + ".exr --layers layers" + threads + ".exr --stats s.json",
+        "LP_NUM_THREADS=" + threads + " "));
+  EXPECT_EQ(readText(folder / "0.exr"), readText(folder / "2.exr"));
+  EXPECT_EQ(readText(folder / "layers0.exr"), readText(folder / "layers2.exr"));
+  EXPECT_NE(readText(folder / "0.exr"), readText(folder / "one.exr"));
+  const Image one = readImage(folder / "one_layers.exr").image, four = readImage(folder / "layers0.exr").image;
+  EXPECT_EQ(valueAt(four, "depth.Z", 30, 30), valueAt(one, "depth.Z", 30, 30)) << "of the pixels' centers";
+  const nlohmann::json statistics = readJson(folder / "s.json");
+  EXPECT_EQ(statistics["pixels"]["samples"], 4);
+  EXPECT_GT(statistics["memory"]["pictures"].get<int>(), 0);
+}
+
+TEST(Samples, HaveARangeAndNoBudget) {
+  const TemporaryFolder folder;
+  for (const char* wrong : {"--samples 0", "--samples 4097", "--samples 4 --budget-ms 5"}) {
+    const ProgramResult result = runProgramIn(folder, kQuickSphere + "-o a.png " + wrong);
+    EXPECT_EQ(result.exitCode, 2) << wrong;
+    EXPECT_NE(result.err.find("samples"), std::string::npos) << result.err;
+  }
+}
+
 }  // namespace
 }  // namespace halfsilver

@@ -264,6 +264,13 @@ TEST_F(Bindings, OfAttributesInSortedLinkedListsOfThreeBuffers) {
                          {"abuffer.sorted", "true"}});
 }
 
+TEST_F(Bindings, OfSmoothEdges) {
+  for (const char* antialiasing : {"fxaa", "temporal"}) {
+    SCOPED_TRACE(antialiasing);
+    expectNothingBorrowed(litSoup(), kAbove, {{"image.antialiasing", antialiasing}});
+  }
+}
+
 TEST_F(Bindings, OfTracingInFragments) { expectNothingBorrowed(litSoup(), kAbove, {{"trace.stage", "fragment"}}); }
 
 }  // namespace

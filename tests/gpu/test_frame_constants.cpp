@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include <halfsilver/error.h>
 
 namespace halfsilver {
@@ -31,6 +33,33 @@ TEST(FrameConstants, PixelRaysAgreeWithTheProjection) {
     EXPECT_NEAR(glm::length(frame.right) / glm::length(frame.up), 2.0f, 1e-6f);
     EXPECT_NEAR(frame.minDistance, 1e-5f * bounds.diagonal(), 1e-9f);
   }
+}
+
+TEST(FrameConstants, TheProjectionBringsSamplesToPixelCenters) {
+  Camera camera;
+  camera.eye = {1, 2, 3};
+  camera.target = {-4, 1, 0};
+  const glm::vec2 jitter(0.3f, -0.4f), size(200, 100), center(0.3f, -0.6f);
+  const shared::FrameConstants frame =
+      makeFrameConstants(camera, {{-10, -10, -10}, {10, 10, 10}}, {}, {}, 200, 100, {}, jitter);
+  const glm::vec2 sample = center + 2.0f * jitter / size;
+  const glm::vec3 point = camera.eye + 5.0f * (frame.forward + sample.x * frame.right + sample.y * frame.up);
+  const glm::vec4 clip = frame.viewProjection * glm::vec4(point, 1);
+  EXPECT_NEAR(clip.x / clip.w, center.x, 1e-5f);
+  EXPECT_NEAR(clip.y / clip.w, center.y, 1e-5f);
+  EXPECT_EQ(frame.jitter, jitter);
+}
+
+TEST(SampleOffset, BeginsAtTheCenterAndFillsThePixelEvenly) {
+  EXPECT_EQ(sampleOffset(0), glm::vec2(0));
+  // Of 64 samples, each sixteenth of the pixel holds 4.
+  std::array<int, 16> counts{};
+  for (std::uint32_t i = 0; i < 64; ++i) {
+    const glm::vec2 at = sampleOffset(i) + 0.5f;
+    ASSERT_TRUE(at.x >= 0 && at.x < 1 && at.y >= 0 && at.y < 1) << i;
+    ++counts[static_cast<std::size_t>(at.x * 4) + 4 * static_cast<std::size_t>(at.y * 4)];
+  }
+  for (const int count : counts) EXPECT_EQ(count, 4);
 }
 
 TEST(FrameConstants, LookingStraightDownWorksAndNonsenseIsRefused) {

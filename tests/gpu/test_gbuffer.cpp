@@ -29,19 +29,21 @@ struct Picture {
   }
   std::uint32_t id(int x, int y) const { return visibility[static_cast<std::size_t>(y * width + x)]; }
   glm::dvec3 ray(int x, int y) const {
-    const double sx = (2.0 * x + 1 - width) / width, sy = (2.0 * y + 1 - height) / height;
+    const glm::dvec2 jitter = 2.0 * glm::dvec2(frame.jitter);
+    const double sx = (2.0 * x + 1 - width + jitter.x) / width, sy = (2.0 * y + 1 - height + jitter.y) / height;
     return glm::dvec3(frame.forward) + sx * glm::dvec3(frame.right) + sy * glm::dvec3(frame.up);
   }
 };
 
 class GBufferTest : public testing::ContextTest {
  protected:
-  Picture draw(const Scene& scene, const Camera& camera, int width, int height, const Settings& settings = {}) {
+  Picture draw(const Scene& scene, const Camera& camera, int width, int height, const Settings& settings = {},
+               const glm::vec2& jitter = glm::vec2(0)) {
     const GpuScene gpu = uploadScene(api, scene);
     Picture picture;
     picture.width = width;
     picture.height = height;
-    picture.frame = makeFrameConstants(camera, gpu.extents.bounds(), scene.sky, settings, width, height, {});
+    picture.frame = makeFrameConstants(camera, gpu.extents.bounds(), scene.sky, settings, width, height, {}, jitter);
     const gl::Buffer constants =
         gl::makeBuffer(api, std::span<const shared::FrameConstants>(&picture.frame, 1), "frame");
     GBufferPass pass(api);
@@ -152,6 +154,36 @@ TEST_F(GBufferTest, FloorIsExactlyFlatAndDepthExact) {
       EXPECT_EQ(wall.at(wall.position, x, y).w, 3.0f);
       EXPECT_EQ(wall.at(wall.normal, x, y).z, 1.0f);
     }
+}
+
+// The rasterizer and the pixel's ray see the same sample: on edges between triangles each pixel names the one that its
+// ray meets.
+TEST_F(GBufferTest, JitterMovesWhatTheRasterizerSeesAndThePixelsRayAlike) {
+  Scene scene;
+  scene.materials.resize(1);
+  for (int i = 0; i < 12; ++i) {
+    const float x = 0.37f * static_cast<float>(i);
+    addQuad(scene, {x, 0, 0}, {x + 0.37f, 0, 0}, {x + 0.6f, 4, 0}, {x + 0.23f, 4, 0}, 0);
+  }
+  const glm::vec2 jitter(0.41f, -0.27f);
+  const Camera camera = cameraAt({2.2f, 2, 3.1f}, {2.3f, 2.1f, 0});
+  const Picture centered = draw(scene, camera, 80, 60), picture = draw(scene, camera, 80, 60, {}, jitter);
+  EXPECT_NE(picture.visibility, centered.visibility);
+  int hits = 0;
+  for (int y = 0; y < 60; ++y)
+    for (int x = 0; x < 80; ++x) {
+      const glm::dvec3 eye(picture.frame.eye), ray = picture.ray(x, y);
+      const glm::dvec3 point = eye - ray * (eye.z / ray.z);
+      const double along = (point.x - 0.23 / 4 * point.y) / 0.37;
+      if (point.y < 0 || point.y > 4 || std::abs(along - std::round(along)) < 1e-4) continue;
+      const bool inside = along > 0 && along < 12;
+      ASSERT_EQ(picture.id(x, y) != 0, inside) << x << ", " << y;
+      if (!inside) continue;
+      ++hits;
+      EXPECT_EQ((picture.id(x, y) - 1) / 2, static_cast<std::uint32_t>(along)) << x << ", " << y;
+      EXPECT_NEAR(glm::distance(glm::dvec3(picture.at(picture.position, x, y)), point), 0, 1e-5);
+    }
+  EXPECT_GT(hits, 2000);
 }
 
 TEST_F(GBufferTest, FarFromTheOriginStaysExact) {

@@ -207,6 +207,7 @@ const std::pair<const char*, const char*> kSliders[] = {
     {"select.mode", "all"},
     {"scene.cull_back_faces", "false"},
     {"image.tone_map", "none"},
+    {"image.antialiasing", "fxaa"},
 };
 
 TEST_F(SettingsChangeTest, SlidersMakeNoExactTracerAndNoHierarchy) {

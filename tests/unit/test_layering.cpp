@@ -52,6 +52,7 @@ const std::map<std::string, std::string> kPublicHeaders = {
     {"draw_clusters.h", "scene"},
     {"error.h", "core"},
     {"exact.h", "exact"},
+    {"frame_report.h", "renderer"},
     {"frame_view.h", "frame"},
     {"image.h", "core"},
     {"io.h", "io"},
@@ -115,7 +116,7 @@ std::string room(const fs::path& path) {
   }
   if (first != path) return kMayInclude.contains(first) || first == "shared" ? first : "";
   const std::string stem = path.stem().string();
-  if (stem == "frame_record" || stem.starts_with("renderer_")) return "renderer";
+  if (stem == "frame_record" || stem == "picture" || stem.starts_with("renderer_")) return "renderer";
   return stem == "settings" || stem == "renderer" || stem == "budget" ? stem : "";
 }
 

@@ -24,7 +24,7 @@ struct DrawRange {
 struct DrawCluster {
   std::uint32_t first = 0, count = 0;  // triangles of the draw list
   bool cut = false;
-  bool moves = false;  // has moved since the scene was uploaded
+  bool moves = false;               // has moved since the scene was uploaded
   std::optional<std::size_t> part;  // the posed part that all of it belongs to
   Bounds bounds;
   std::uint32_t firstVertex = 0, lastVertex = 0;  // all that it uses lie between, inclusive

@@ -85,6 +85,13 @@ struct GBuffer {
   std::size_t bytes() const;
 };
 
+// A picture of several samples per pixel, or of several passes of an effect: a plain sum, in the order of the frames.
+struct Accumulation {
+  gl::Texture sum;  // RGBA32F: radiance
+  std::uint32_t samples = 0;
+  std::size_t bytes() const { return sum.bytes(); }
+};
+
 // Rays to trace, compacted, with a count that stays on the GPU. First rays are a pixel each, the rest of them stands in
 // the G-buffer; shaders see no difference (lib/queued_ray.glsl).
 struct RayQueue {

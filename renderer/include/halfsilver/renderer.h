@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include <halfsilver/frame_report.h>
 #include <halfsilver/image.h>
 #include <halfsilver/methods.h>
 #include <halfsilver/model.h>
@@ -25,47 +26,6 @@ struct Target {
   unsigned framebuffer = 0;
   int x = 0, y = 0;
   int width = 0, height = 0;
-};
-
-struct StageTime {
-  std::string
-      stage;  // "pose", "shadow", "gbuffer", "select", "voxelize", "build", "trace", "shade", "composite", "frame"
-  double milliseconds = 0;  // GPU time; negative if the driver's answer was rejected
-};
-
-struct MemoryReport {  // bytes unless marked as counts
-  std::uint64_t voxels = 0, heads = 0, poolReserved = 0, poolUsed = 0;
-  std::uint64_t fragments = 0, fragmentsStored = 0;  // counts
-  std::uint64_t fragmentsPerAxis[3] = {0, 0, 0};     // counts, stored
-  int grid[3] = {0, 0, 0};                           // voxels along each axis
-  double bytesPerFragment = 0;
-  std::uint64_t structureTotal = 0;
-  std::uint64_t gbuffer = 0;
-  std::uint64_t geometry = 0;  // vertices, triangles, materials
-  std::uint64_t textures = 0;  // of materials, and the sky
-  std::uint64_t shadowMaps = 0;
-  std::uint64_t queues = 0;     // rays, their hits and light, of all frames
-  std::uint64_t transient = 0;  // of the tracer, beside the structure: the most at once
-  std::uint64_t peak = 0;       // all GPU memory that the renderer held at once: the last seven, of all frames
-};
-
-struct FrameReport {
-  std::uint64_t pixels = 0;
-  std::uint64_t reflecting = 0;  // pixels that select.mode takes
-  std::uint64_t selected = 0;    // of these, pixels that are traced
-  std::vector<std::uint32_t>
-      contributions;  // reflecting pixels of select.fraction by contribution, in classes of equal ratio
-  std::vector<StageTime> times;
-  MemoryReport memory;
-  std::uint64_t overflow = 0;       // rays given up
-  std::uint64_t lostFragments = 0;  // fragments that the structure could not hold
-  std::vector<std::string> warnings;
-};
-
-// What the search did for one ray.
-struct RayWork {
-  std::uint32_t steps = 0;  // through cells of a grid or nodes of a hierarchy
-  std::uint32_t tests = 0;  // of triangles; of texels by methods that store attributes
 };
 
 // A surface of a picture.
@@ -134,6 +94,20 @@ class Renderer {
   void begin(const Camera& camera, const Settings& settings, int width, int height);
   void finish(const Target& target);
 
+  // A still picture with smooth edges, sample by sample: draws one frame whose pixels are sampled at place number
+  // `sample` of a fixed sequence, adds its linear light to that of the calls before and shows their mean. Place 0 is
+  // the pixel's center, and any first n places are spread evenly over the pixel: the mean is a box filter one pixel
+  // wide. A new picture begins if anything but image.* is not as it was in the call before: camera, settings, size,
+  // scene; or after forgetHistory(). The same places in the same order give the same picture to the bit.
+  // image.antialiasing does not count here. Throws Error (usage) as render().
+  void refine(const Camera& camera, const Settings& settings, const Target& target, std::uint32_t sample);
+  // How many samples that picture has by now.
+  std::uint32_t samples() const;
+  // What was drawn so far goes into no later picture: the camera has cut, or another picture of the same view begins.
+  // Temporal antialiasing forgets by itself after setScene(), and if the size or settings other than image.* and the
+  // share of reflections that are traced (select.fraction, select.min_contribution) are not those of the frame before.
+  void forgetHistory();
+
   // What the frame that finish() ended last took and held. Waits for the GPU.
   FrameReport report();
   // The same of the newest finished frame whose figures have arrived, if there is one; never waits. Reports come in the
@@ -148,6 +122,8 @@ class Renderer {
   // The frame that finish() ended last as the layers of the contract (R G B A, depth.Z, normal.X/Y/Z, reflectivity.Y,
   // selected.Y, hit.T, hit.id, hit.nx/ny/nz, reflection.R/G/B; with image.motion also motion.X/Y, pixels to the right
   // and down since the frame before; if readRayWork() is possible also work.steps and work.tests), rows from the top.
+  // After refine(), R G B A are the mean of all samples and the other layers those of the last one; with
+  // image.antialiasing = temporal likewise of the frames joined. R G B are radiance, so fxaa does not show in them.
   // Waits for the GPU. With frames under way, only until a begin() takes the memory of that frame.
   Image readLayers() const;
 

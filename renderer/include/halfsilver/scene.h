@@ -125,6 +125,8 @@ struct Camera {
   // Distances to the clipping planes in meters; 0: derived from the scene's bounds.
   float nearPlane = 0;
   float farPlane = 0;
+
+  bool operator==(const Camera&) const = default;
 };
 
 struct Scene {

@@ -34,6 +34,11 @@ enum class AxisRule {
 };
 enum class TraceStage { compute, fragment };
 enum class ToneMap { filmic, none };
+enum class Antialiasing {
+  none,     // pixels as they are at their centers
+  fxaa,     // edges of the tone-mapped picture are smoothed
+  temporal  // frames of several offsets, joined over time
+};
 
 struct SceneSettings {
   bool cullBackFaces = true;  // single-sided materials are invisible from behind, to the camera and to rays
@@ -89,7 +94,8 @@ struct ShadowSettings {
 struct ImageSettings {
   float exposure = 0;  // stops, -20..20
   ToneMap toneMap = ToneMap::filmic;
-  bool motion = false;  // motion vectors are made, for the layers
+  bool motion = false;                             // motion vectors are made, for the layers
+  Antialiasing antialiasing = Antialiasing::none;  // of frames in motion; stills: Renderer::refine()
 
   bool operator==(const ImageSettings&) const = default;
 };

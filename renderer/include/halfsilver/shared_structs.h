@@ -146,6 +146,7 @@ HALFSILVER_AT(FrameConstants, fill, 248);
 HALFSILVER_AT(FrameConstants, bounces, 252);
 HALFSILVER_AT(FrameConstants, skyDirections, 256);
 HALFSILVER_AT(FrameConstants, hemispheres, 260);
+HALFSILVER_AT(FrameConstants, jitter, 264);
 static_assert(sizeof(FrameConstants) == 272);
 
 #undef HALFSILVER_AT

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace halfsilver {
+
+struct StageTime {
+  // "pose", "shadow", "gbuffer", "select", "voxelize", "build", "trace", "shade", "composite", "frame"
+  std::string stage;
+  double milliseconds = 0;  // GPU time; negative if the driver's answer was rejected
+};
+
+struct MemoryReport {  // bytes unless marked as counts
+  std::uint64_t voxels = 0, heads = 0, poolReserved = 0, poolUsed = 0;
+  std::uint64_t fragments = 0, fragmentsStored = 0;  // counts
+  std::uint64_t fragmentsPerAxis[3] = {0, 0, 0};     // counts, stored
+  int grid[3] = {0, 0, 0};                           // voxels along each axis
+  double bytesPerFragment = 0;
+  std::uint64_t structureTotal = 0;
+  std::uint64_t gbuffer = 0;
+  std::uint64_t geometry = 0;  // vertices, triangles, materials
+  std::uint64_t textures = 0;  // of materials, and the sky
+  std::uint64_t shadowMaps = 0;
+  std::uint64_t queues = 0;     // rays, their hits and light, of all frames
+  std::uint64_t transient = 0;  // of the tracer, beside the structure: the most at once
+  std::uint64_t pictures = 0;   // sums of samples and what else stays from frame to frame for smooth edges
+  std::uint64_t peak = 0;       // all GPU memory that the renderer held at once: the last eight, of all frames
+};
+
+struct FrameReport {
+  std::uint64_t pixels = 0;
+  std::uint64_t reflecting = 0;  // pixels that select.mode takes
+  std::uint64_t selected = 0;    // of these, pixels that are traced
+  std::vector<std::uint32_t>
+      contributions;  // reflecting pixels of select.fraction by contribution, in classes of equal ratio
+  std::vector<StageTime> times;
+  MemoryReport memory;
+  std::uint64_t overflow = 0;       // rays given up
+  std::uint64_t lostFragments = 0;  // fragments that the structure could not hold
+  std::vector<std::string> warnings;
+};
+
+// What the search did for one ray.
+struct RayWork {
+  std::uint32_t steps = 0;  // through cells of a grid or nodes of a hierarchy
+  std::uint32_t tests = 0;  // of triangles; of texels by methods that store attributes
+};
+
+}  // namespace halfsilver

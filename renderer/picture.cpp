@@ -1,0 +1,107 @@
+#include "picture.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "frame/frame_constants.h"
+
+namespace halfsilver {
+namespace {
+
+// Frames until nothing is left of what was there before a change.
+constexpr int kSettling = 8;
+
+// Settings without those that change how radiance is shown and not radiance itself.
+Settings ofRadiance(Settings settings) {
+  settings.image = {};
+  return settings;
+}
+
+// Without those that a controller may turn from frame to frame as well.
+Settings ofHistory(Settings settings) {
+  settings.select.fraction = 1;
+  settings.select.minContribution = 0;
+  return settings;
+}
+
+}  // namespace
+
+PictureUse Picture::begin(const Camera& camera, const Settings& settings, const glm::ivec2& size,
+                          const std::optional<std::uint32_t>& sample) {
+  View view{{ofRadiance(settings), size}, camera};
+  if (sample) {
+    const bool first = samplesOf_ != view;
+    samplesOf_ = std::move(view);
+    return {.kind = PictureUse::Kind::sample, .first = first, .jitter = sampleOffset(*sample)};
+  }
+  if (settings.image.antialiasing == Antialiasing::temporal) return beginTemporal(std::move(view));
+  history_.reset();  // motion is known from one frame to the next
+  return {};
+}
+
+PictureUse Picture::beginTemporal(View view) {
+  Subject subject{ofHistory(view.subject.settings), view.subject.size};
+  PictureUse use{.kind = PictureUse::Kind::temporal};
+  use.first = !history_ || history_->subject != subject;
+  if (use.first) {
+    history_.emplace().subject = std::move(subject);
+  } else {
+    const bool same = !history_->changed && history_->last == view;
+    history_->unsettled = same ? std::max(0, history_->unsettled - 1) : kSettling;
+    use.still = history_->unsettled == 0;
+  }
+  history_->changed = false;
+  history_->last = std::move(view);
+  use.jitter = sampleOffset(history_->frames++);
+  return use;
+}
+
+void Picture::changed() {
+  samplesOf_.reset();
+  if (history_) history_->changed = true;
+}
+
+void Picture::forget() {
+  samplesOf_.reset();
+  history_.reset();
+}
+
+void Picture::show(const FrameView& view, const Frame& frame, const gl::Buffer& previousPositions,
+                   const Target& target) {
+  const glm::ivec2 origin(target.x, target.y);
+  const bool fxaa =
+      frame.use.kind == PictureUse::Kind::frame && frame.settings.image.antialiasing == Antialiasing::fxaa;
+  if (!fxaa) fxaa_.forget();
+  if (frame.use.kind == PictureUse::Kind::sample) {
+    if (frame.use.first) samples_.samples = 0;
+    accumulate_.run(view, samples_);
+    display_.run(view, meanOfSamples(), DisplayPass::Output::display, target.framebuffer, origin);
+    return;
+  }
+  if (frame.use.kind == PictureUse::Kind::temporal) {
+    using Past = TemporalPass::Past;
+    temporal_.begin(view);
+    for (const RayBatch& batch : frame.batches) temporal_.follow(view, batch, previousPositions);
+    temporal_.run(view, frame.use.first ? Past::none : frame.use.still ? Past::still : Past::moving);
+    display_.run(view, joined(), DisplayPass::Output::display, target.framebuffer, origin);
+    return;
+  }
+  temporal_.forget();
+  if (fxaa) {
+    composite_.run(view, frame.gbuffer, CompositePass::Output::undithered, fxaa_.source(target.width, target.height),
+                   {0, 0});
+    fxaa_.run(view, target.framebuffer, origin);
+    return;
+  }
+  composite_.run(view, frame.gbuffer, CompositePass::Output::display, target.framebuffer, origin);
+}
+
+void Picture::readLinear(const FrameView& view, const Frame& frame, GLuint framebuffer) {
+  if (frame.use.kind == PictureUse::Kind::frame)
+    composite_.run(view, frame.gbuffer, CompositePass::Output::linear, framebuffer, {0, 0});
+  else
+    display_.run(view, frame.use.kind == PictureUse::Kind::sample ? meanOfSamples() : joined(),
+                 DisplayPass::Output::linear, framebuffer, {0, 0});
+}
+
+}  // namespace halfsilver

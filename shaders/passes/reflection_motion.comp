@@ -1,0 +1,54 @@
+// How far the image in a mirror has moved on the screen: the point that a pixel's ray has hit, mirrored in the plane of the
+// surface there, now and in the frame before. One invocation per first ray.
+#include "lib/motion.glsl"
+#include "lib/pixel_triangle.glsl"
+#include "lib/queued_ray.glsl"
+#include "shared/passes/temporal.h"
+
+layout(local_size_x = 64) in;
+
+layout(std430, binding = SSBO_RAY_COUNT) readonly buffer RayCountBlock { RayCount rayCount; };
+layout(std430, binding = SSBO_HITS) readonly buffer HitBlock { Hit hits[]; };
+
+layout(rgba32f, binding = IMAGE_REFLECTION_MOTION) uniform writeonly image2D motionImage;
+
+vec3 normalOf(vec3 a, vec3 b, vec3 c) { return normalize(cross(b - a, c - a)); }
+
+// The shading normal in the frame before: it turns with its triangle.
+vec3 normalBefore(uint triangle, vec3 normal) {
+  uvec4 corners = triangleAt(triangle);
+  vec3 now = normalOf(vertexPosition(corners.x), vertexPosition(corners.y), vertexPosition(corners.z));
+  vec3 before = normalOf(previousVertex(corners.x), previousVertex(corners.y), previousVertex(corners.z));
+  return normalize(normal + (dot(now, normal) < 0.0 ? now - before : before - now));
+}
+
+vec3 mirrored(vec3 point, vec3 onPlane, vec3 normal) { return point - 2.0 * dot(point - onPlane, normal) * normal; }
+
+void main() {
+  uint index = (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * gl_WorkGroupSize.x + gl_LocalInvocationID.x;
+  if (index >= rayCount.count) return;
+  uint number = pixelOfRay(index);
+  ivec2 pixel = ivec2(number % frame.width, number / frame.width);
+  Ray ray = mirrorRay(number);
+  Hit hit = hits[index];
+  if (hit.triangle == NO_TRIANGLE && hit.t != HIT_MISS) return;  // given up: it shows the sky's stand-in
+
+  vec3 normal = texelFetch(gNormal, pixel, 0).xyz;
+  vec3 then = normalBefore(ray.excluded, normal);
+  vec2 motion = seenAt(reflect(ray.direction, normal), frame) - seenAt(reflect(ray.direction, then), previousFrame);
+  vec2 depths = vec2(VERY_FAR);
+  if (hit.triangle != NO_TRIANGLE) {
+    vec3 mirrorNow, mirrorBefore, hitNow = ray.origin + hit.t * ray.direction, hitBefore = hitNow;
+    pointThenAndNow(ray.excluded, pointOnTriangle(ray.excluded, pixelRay(pixel)).barycentrics, mirrorNow, mirrorBefore);
+#ifndef HIT_SURFACES
+    // Methods that store attributes know no place in the triangle.
+    vec3 now, before;
+    pointThenAndNow(hit.triangle, vec2(hit.u, hit.v), now, before);
+    hitBefore += before - now;
+#endif
+    vec3 imageNow = mirrored(hitNow, mirrorNow, normal), imageBefore = mirrored(hitBefore, mirrorBefore, then);
+    motion = motionOf(imageNow, imageBefore);
+    depths = vec2(dot(imageNow - frame.eye, frame.forward), dot(imageBefore - previousFrame.eye, previousFrame.forward));
+  }
+  imageStore(motionImage, pixel, vec4(motion, depths));
+}

@@ -1,0 +1,8 @@
+// Bindings of pictures on their way to the display: passes/display.frag, passes/fxaa.frag.
+#ifndef HALFSILVER_PASSES_DISPLAY_H
+#define HALFSILVER_PASSES_DISPLAY_H
+
+#define UNIT_PICTURE 0
+#define UNIT_REFLECTED 1  // of temporal antialiasing: what is to be added
+
+#endif
