@@ -17,10 +17,7 @@ void TemporalPass::begin(const FrameView& view) {
   if (!motion_ || motion_.shape().width != width || motion_.shape().height != height) {
     forget();  // the old memory goes before the new comes
     const auto texture = [&](GLenum format, const char* label) {
-      gl::Texture made(*api_, {.format = format, .width = width, .height = height}, label);
-      made.parameter(GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-      made.parameter(GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-      return made;
+      return gl::Texture(*api_, {.format = format, .width = width, .height = height}, label);
     };
     for (History& history : histories_)
       history = {texture(GL_RGBA32F, "surface history"), texture(GL_RGBA32F, "reflection history"),

