@@ -205,7 +205,6 @@ void Renderer::Impl::upload(const Scene& wanted, const SceneChange& changed) {
     shadowChange.everything = true;
     throw;
   }
-  shadowChange.everything |= changed.materials;
   if (changed.lights) lights = wanted.lights;
   if (changed.sky) sky = wanted.sky;
   noteChange(changed);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <utility>
 
 #include <halfsilver/error.h>
@@ -148,16 +149,28 @@ void uploadTurned(const gl::Api& api, GpuScene& gpu, const Scene& scene, std::sp
   uploadIndices(api, gpu, triangles, gpu.clusters.drawList());
 }
 
+bool sameBytes(std::span<const shared::GpuMaterial> a, std::span<const shared::GpuMaterial> b) {
+  return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size_bytes()) == 0);
+}
+
 void uploadMaterials(const gl::Api& api, GpuScene& gpu, const Scene& scene, std::span<const glm::uvec4> triangles,
                      const std::vector<bool>& holes) {
   AlphaTexels alphas = uploadAlphas(api, scene, holes);
   gpu.alphas = std::move(alphas.texels);
-  std::vector<shared::GpuMaterial> materials;
-  for (std::size_t m = 0; m < scene.materials.size(); ++m)
+  std::vector<shared::GpuMaterial> materials, cut;
+  for (std::size_t m = 0; m < scene.materials.size(); ++m) {
     materials.push_back(packMaterial(scene.materials[m], holes[m], alphas.places[m], gpu.textureLocations));
+    if (holes[m]) cut.push_back(materials.back());
+  }
   gpu.materials = gl::makeBuffer(api, std::span<const shared::GpuMaterial>(materials), "materials");
-  gpu.drawRanges.clear();
-  std::vector<std::uint32_t> order = groupTriangles(scene, holes, gpu.drawRanges);
+  if (!sameBytes(cut, gpu.cutMaterials)) ++gpu.casters;
+  gpu.cutMaterials = std::move(cut);
+  std::vector<DrawRange> ranges;
+  std::vector<std::uint32_t> order = groupTriangles(scene, holes, ranges);
+  // Most changes are of colors: the list stays, and with it what is known of moves.
+  if (gpu.drawList && std::ranges::equal(order, gpu.clusters.drawList()) && ranges == gpu.drawRanges) return;
+  ++gpu.casters;
+  gpu.drawRanges = std::move(ranges);
   gpu.drawList = gl::makeBuffer(api, std::span<const std::uint32_t>(order), "draw list");
   uploadIndices(api, gpu, triangles, order);
   gpu.clusters = DrawClusters(scene, std::move(order), gpu.drawRanges, gpu.extents.posed());

@@ -321,6 +321,39 @@ TEST_F(ShadowViewsTest, DrawOfAMoveWhatMovesAlone) {
   EXPECT_EQ(maps.still.bytes(), maps.maps.bytes());
 }
 
+TEST_F(ShadowViewsTest, StayIfAMaterialChangesItsColorAndNotIfItsHolesDo) {
+  Scene scene = roomOfPlates();
+  Material holes = scene.materials[0];
+  holes.alphaMode = AlphaMode::mask;
+  const std::uint32_t leaves = addMaterial(scene, holes);
+  scene.materials[leaves].baseColor.w = 0.6f;
+  for (std::size_t t = 0; t < 512; ++t) scene.triangles[t].material = leaves;
+  gpu = uploadScene(api, scene);
+  ShadowMaps maps;
+  drawn(scene, {}, maps);
+  const auto move = [&] {
+    for (std::uint32_t v = 0; v < 1024; ++v) scene.vertices[v].position.y += 0.05f;
+    return ShadowChange{.everything = false, .moved = updateScene(api, gpu, scene, {.moved = {{0, 1024}}})};
+  };
+  drawn(scene, move(), maps);
+
+  scene.materials[0].baseColor = {0.1f, 0.2f, 0.3f, 1};
+  updateScene(api, gpu, scene, {.materials = true});
+  const std::vector<float> before = drawn(scene, {.everything = false, .moved = {}}, maps);
+  EXPECT_EQ(maps.viewsDrawn, 0u) << "a color";
+  const std::vector<float> moved = drawn(scene, move(), maps);
+  EXPECT_TRUE(moved != before);
+  EXPECT_EQ(maps.trianglesDrawn, maps.viewsDrawn * 512u) << "what moves is still known";
+
+  scene.materials[leaves].alphaCutoff = 0.9f;
+  updateScene(api, gpu, scene, {.materials = true});
+  const std::vector<float> gone = drawn(scene, {.everything = false, .moved = {}}, maps);
+  EXPECT_EQ(maps.viewsDrawn, 6u + 1 + 4) << "holes";
+  ShadowMaps fresh;
+  EXPECT_TRUE(gone == drawn(scene, {}, fresh));
+  EXPECT_TRUE(gone != moved);
+}
+
 TEST_F(ShadowViewsTest, ManyMovesBecomeOneBoxAroundThem) {
   ShadowChange change{.everything = false, .moved = {}};
   const std::vector<Bounds> boxes = {{vec3(-1), vec3(0)}, {}, {vec3(1, 2, 3), vec3(4)}};

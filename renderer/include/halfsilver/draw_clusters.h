@@ -18,6 +18,8 @@ struct DrawRange {
   std::uint32_t first = 0, count = 0;  // triangles
   bool doubleSided = false;
   bool cut = false;  // needs the alpha test
+
+  bool operator==(const DrawRange&) const = default;
 };
 
 // A piece of a range, small enough to be left out by views that do not see it.

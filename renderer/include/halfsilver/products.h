@@ -22,7 +22,9 @@ struct GpuScene {
   gl::Buffer positions, attributes, triangles, materials, drawList;
   gl::Buffer indices;  // uint[3 * triangles without holes]: vertices of the draw list, whose beginning these are
   std::vector<DrawRange> drawRanges;
-  DrawClusters clusters;                        // of the draw list
+  DrawClusters clusters;                          // of the draw list
+  std::vector<shared::GpuMaterial> cutMaterials;  // those with holes
+  std::uint32_t casters = 0;  // counts changes of what casts shadows but for moves: of the draw list and of holes
   std::vector<gl::Texture> textures;            // buckets of equal size, at most TEXTURE_BUCKETS
   gl::TexelBuffer alphas;                       // of the textures that cut holes, see GpuMaterial::alphaFirst
   gl::Texture sky;                              // 1 x 1 if the sky is a gradient
@@ -61,6 +63,7 @@ struct ShadowMaps {
   std::vector<ShadowView> views;  // what the maps hold
   // The same maps of what has never moved, from the first move on, so that a move costs what moves.
   gl::Texture still;
+  std::uint32_t casters = 0;       // GpuScene::casters of the views
   std::size_t startsFollowed = 0;  // entries of DrawClusters::started() that `still` knows of
   // Of the last run of the shadow pass.
   std::size_t viewsDrawn = 0, trianglesDrawn = 0;
