@@ -1,5 +1,6 @@
 #include "apps/demo/options.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -34,6 +35,7 @@ void load(const std::filesystem::path& folder, Options& options) {
     options.verticalSync = kept.value("vertical_sync", options.verticalSync);
     options.bestSeconds = kept.value("best_seconds", options.bestSeconds);
     options.frameTime = kept.value("frame_time_ms", options.frameTime);
+    options.samples = std::clamp(kept.value("samples", options.samples), 1, kMaxSamples);
   } catch (const nlohmann::json::exception&) {
     // A value of another type; what came before it holds.
   }
@@ -48,7 +50,8 @@ bool save(const std::filesystem::path& folder, const Options& options) {
   const nlohmann::ordered_json kept{{"overlay", options.overlay},
                                     {"vertical_sync", options.verticalSync},
                                     {"best_seconds", options.bestSeconds},
-                                    {"frame_time_ms", options.frameTime}};
+                                    {"frame_time_ms", options.frameTime},
+                                    {"samples", options.samples}};
   std::ofstream file(folder / "demo.json");
   return static_cast<bool>(file << kept.dump(2) << '\n' << std::flush);
 }

@@ -15,6 +15,8 @@ inline constexpr const char* kViewNames[] = {"picture",      "selection", "what 
 enum class Cells { none, bricks, voxels };
 inline constexpr const char* kCellNames[] = {"none", "bricks", "voxels by the length of their lists"};
 
+inline constexpr int kMaxSamples = 4096;
+
 // What the player has chosen.
 struct Options {
   Settings settings, other;  // of the picture, and of the right side of a split screen
@@ -22,6 +24,7 @@ struct Options {
   Cells cells = Cells::none;  // of the structure, as boxes
   float splitAt = 0.5f;       // share of the width
   View view = View::picture;
+  int samples = 1;         // per pixel, while nothing moves
   double frameTime = 0;    // milliseconds to hold; 0: full resolution
   double bestSeconds = 0;  // of the game; 0: none yet
 };

@@ -84,6 +84,8 @@ SceneChange Overlay::layOut(const Size& size, double seconds, std::span<const Ba
   const ImVec2 area = ImGui::GetIO().DisplaySize;
   const Size shown{static_cast<int>(area.x), static_cast<int>(area.y)};
   for (const Backdrop& backdrop : backdrops) drawBackdrop(backdrop, shown);
+  state.resized = area_ != glm::vec2(area.x, area.y);
+  area_ = {area.x, area.y};
   const auto scale = static_cast<float>(scale_);
   for (const Segment& segment : state.segments)
     ImGui::GetBackgroundDrawList()->AddLine({segment.from.x * area.x, segment.from.y * area.y},

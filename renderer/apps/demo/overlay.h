@@ -37,6 +37,7 @@ struct OverlayState {
   std::string controller;                  // what holds the frame time
   std::vector<std::string> status;         // of the play
   std::span<const Segment> segments = {};  // over the picture
+  bool resized = false;                    // so panels go back to their places; set by layOut()
 };
 
 // A picture behind the overlay, over a part of the window.
@@ -71,6 +72,7 @@ class Overlay {
   GLFWwindow* window_;
   ImGuiContext* context_;
   double scale_ = 1;
+  glm::vec2 area_{0};  // that was laid out last
 };
 
 }  // namespace halfsilver::demo

@@ -130,7 +130,8 @@ SceneChange drawControls(OverlayState& state, float scale) {
   Options& options = state.options;
   SceneChange change;
   const ImVec2 area = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos({area.x - 10 * scale, 10 * scale}, ImGuiCond_FirstUseEver, {1, 0});
+  ImGui::SetNextWindowPos({area.x - 10 * scale, 10 * scale}, state.resized ? ImGuiCond_Always : ImGuiCond_FirstUseEver,
+                          {1, 0});
   ImGui::SetNextWindowSize({350 * scale, 0}, ImGuiCond_FirstUseEver);
   ImGui::SetNextWindowBgAlpha(0.75f);
   ImGui::Begin("Controls");
@@ -147,6 +148,9 @@ SceneChange drawControls(OverlayState& state, float scale) {
   auto wanted = static_cast<float>(options.frameTime);
   if (ImGui::SliderFloat("frame time", &wanted, 0, 200, wanted > 0 ? "hold %.0f ms" : "full size"))
     options.frameTime = static_cast<double>(wanted);
+  ImGui::SliderInt("samples", &options.samples, 1, kMaxSamples, options.samples > 1 ? "%d" : "one",
+                   ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("Frames whose mean the picture becomes while nothing moves");
   ImGui::Separator();
   drawSettings(options.settings);
   if (options.split && ImGui::TreeNode("right side")) {

@@ -44,7 +44,7 @@ void drawFigures(const OverlayState& state, float scale) {
   const FrameFigures& last = state.log.last();
   const FrameReport& report = last.report;
   const MemoryReport& memory = report.memory;
-  ImGui::SetNextWindowPos({10 * scale, 10 * scale}, ImGuiCond_FirstUseEver);
+  ImGui::SetNextWindowPos({10 * scale, 10 * scale}, state.resized ? ImGuiCond_Always : ImGuiCond_FirstUseEver);
   ImGui::SetNextWindowBgAlpha(0.75f);
   ImGui::Begin("Frame", nullptr, ImGuiWindowFlags_AlwaysAutoResize);
   ImGui::Text("%.1f ms, %d x %d", last.wallMilliseconds, last.width, last.height);

@@ -10,13 +10,29 @@ SceneView::SceneView(const gl::Api& api, const std::function<Renderer::Proc(cons
   renderer_.setScene(scene);
 }
 
-void SceneView::draw(const Camera& camera, const Settings& settings, const Size& size) {
+void SceneView::update(const Scene& scene, const SceneChange& change) {
+  renderer_.update(scene, change);
+  drawn_.reset();
+}
+
+void SceneView::draw(const Camera& camera, const Settings& settings, const Size& size, int samples) {
   if (!picture_ || size.width != size_.width || size.height != size_.height) {
     picture_.reset();  // its memory goes before the new one's comes
     picture_.emplace(*api_, size);
     size_ = size;
+    drawn_.reset();
   }
-  renderer_.render(camera, settings, picture_->target());
+  const std::pair wanted(camera, settings);
+  const bool still = drawn_ == wanted;
+  drawn_.reset();  // until it is drawn
+  if (!still || samples <= 1) {
+    renderer_.render(camera, settings, picture_->target());
+    samples_ = 0;
+  } else if (samples_ < samples) {
+    renderer_.refine(camera, settings, picture_->target(), static_cast<std::uint32_t>(samples_));
+    ++samples_;
+  }
+  drawn_ = wanted;
 }
 
 unsigned SceneView::texture() const { return picture_ ? picture_->texture() : 0; }

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <halfsilver/renderer.h>
@@ -16,9 +17,10 @@ class SceneView {
   SceneView(const gl::Api& api, const std::function<Renderer::Proc(const char*)>& getProcAddress, const Scene& scene,
             int threads);
 
-  void update(const Scene& scene, const SceneChange& change) { renderer_.update(scene, change); }
-  // Draws a picture of that size, which replaces the last one.
-  void draw(const Camera& camera, const Settings& settings, const Size& size);
+  void update(const Scene& scene, const SceneChange& change);
+  // Draws a picture of that size, which replaces the last one. If nothing has changed since, it becomes the mean of up
+  // to `samples` frames, one more with each call.
+  void draw(const Camera& camera, const Settings& settings, const Size& size, int samples = 1);
 
   Renderer& renderer() { return renderer_; }
   const Renderer& renderer() const { return renderer_; }
@@ -30,6 +32,9 @@ class SceneView {
   const gl::Api* api_;
   Renderer renderer_;
   Size size_;
+  // What the picture was drawn with, and how many samples it has; none: something has changed since.
+  std::optional<std::pair<Camera, Settings>> drawn_;
+  int samples_ = 0;
   std::optional<OffscreenTarget> picture_;
 };
 

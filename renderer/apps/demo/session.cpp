@@ -62,10 +62,10 @@ FrameFigures Session::draw(const Size& window, double scale, const Options& opti
   const Camera camera = play_->camera();
   backdrops_.clear();
   colors_.clear();
-  view_->draw(camera, settingsOf(options.settings, options), size);
+  view_->draw(camera, settingsOf(options.settings, options), size, options.samples);
   backdrops_ = {{view_->texture(), 0, options.split ? options.splitAt : 1, false}};
   if (options.split) {
-    second().draw(camera, settingsOf(options.other, options), size);
+    second().draw(camera, settingsOf(options.other, options), size, options.samples);
     backdrops_.push_back({second().texture(), options.splitAt, 1, false});
   }
   if (options.view != View::picture) showFalseColors(size, camera, options);
