@@ -68,14 +68,13 @@ void Picture::forget() {
 
 void Picture::show(const FrameView& view, const Frame& frame, const gl::Buffer& previousPositions,
                    const Target& target) {
-  const glm::ivec2 origin(target.x, target.y);
   const bool fxaa =
       frame.use.kind == PictureUse::Kind::frame && frame.settings.image.antialiasing == Antialiasing::fxaa;
   if (!fxaa) fxaa_.forget();
   if (frame.use.kind == PictureUse::Kind::sample) {
     if (frame.use.first) samples_.samples = 0;
     accumulate_.run(view, samples_);
-    display_.run(view, meanOfSamples(), DisplayPass::Output::display, target.framebuffer, origin);
+    display_.run(view, meanOfSamples(), DisplayPass::Output::display, target);
     return;
   }
   if (frame.use.kind == PictureUse::Kind::temporal) {
@@ -83,25 +82,25 @@ void Picture::show(const FrameView& view, const Frame& frame, const gl::Buffer& 
     temporal_.begin(view);
     for (const RayBatch& batch : frame.batches) temporal_.follow(view, batch, previousPositions);
     temporal_.run(view, frame.use.first ? Past::none : frame.use.still ? Past::still : Past::moving);
-    display_.run(view, joined(), DisplayPass::Output::display, target.framebuffer, origin);
+    display_.run(view, joined(), DisplayPass::Output::display, target);
     return;
   }
   temporal_.forget();
   if (fxaa) {
-    composite_.run(view, frame.gbuffer, CompositePass::Output::undithered, fxaa_.source(target.width, target.height),
-                   {0, 0});
-    fxaa_.run(view, target.framebuffer, origin);
+    composite_.run(view, CompositePass::Output::undithered, fxaa_.source(target.width, target.height));
+    fxaa_.run(view, target);
     return;
   }
-  composite_.run(view, frame.gbuffer, CompositePass::Output::display, target.framebuffer, origin);
+  composite_.run(view, CompositePass::Output::display, target);
 }
 
 void Picture::readLinear(const FrameView& view, const Frame& frame, GLuint framebuffer) {
+  const Target target{framebuffer, 0, 0, frame.gbuffer.width, frame.gbuffer.height};
   if (frame.use.kind == PictureUse::Kind::frame)
-    composite_.run(view, frame.gbuffer, CompositePass::Output::linear, framebuffer, {0, 0});
+    composite_.run(view, CompositePass::Output::linear, target);
   else
     display_.run(view, frame.use.kind == PictureUse::Kind::sample ? meanOfSamples() : joined(),
-                 DisplayPass::Output::linear, framebuffer, {0, 0});
+                 DisplayPass::Output::linear, target);
 }
 
 }  // namespace halfsilver

@@ -327,6 +327,11 @@ void Renderer::refine(const Camera& camera, const Settings& settings, const Targ
   impl_->finish(target);
 }
 
+CameraMatrices Renderer::matrices(const Camera& camera, const Target& target) const {
+  if (!impl_->hasScene) throw Error(ErrorKind::usage, "matrices() needs a scene: call setScene() first");
+  return cameraMatrices(camera, impl_->scene.extents.bounds(), target);
+}
+
 std::uint32_t Renderer::samples() const { return impl_->picture.samples(); }
 
 void Renderer::forgetHistory() { impl_->picture.forget(); }

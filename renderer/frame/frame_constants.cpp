@@ -36,6 +36,14 @@ Basis basisOf(const Camera& camera) {
   return basis;
 }
 
+// How a camera maps the scene to a picture.
+struct Lens {
+  Basis basis;
+  double tangentX, tangentY;       // of half the angles of view
+  double nearPlane, farPlane;      // 0: infinite
+  double depthScale, depthOffset;  // reversed depth, 1 near to 0 far, is scale + offset / distance along the axis
+};
+
 double chooseNear(const Camera& camera, const Bounds& bounds, double tangentX, double tangentY) {
   if (camera.nearPlane > 0) return camera.nearPlane;
   if (bounds.empty()) return kNearest;
@@ -47,41 +55,52 @@ double chooseNear(const Camera& camera, const Bounds& bounds, double tangentX, d
   return std::max(kNearest * diagonal, kBeforeBounds * cornerCosine * outside);
 }
 
+Lens lensOf(const Camera& camera, const Bounds& bounds, int width, int height) {
+  if (width < 1 || height < 1) throw Error(ErrorKind::usage, "the picture's size must be at least 1 x 1");
+  if (!(camera.verticalFov > 0 && camera.verticalFov < 3.14159f))
+    throw Error(ErrorKind::usage, "the camera's field of view must lie between 0 and 180 degrees");
+  Lens lens{};
+  lens.basis = basisOf(camera);
+  const double aspect = static_cast<double>(width) / height;
+  lens.tangentY = std::tan(0.5 * static_cast<double>(camera.verticalFov));
+  lens.tangentX = lens.tangentY * aspect;
+  const double nearPlane = chooseNear(camera, bounds, lens.tangentX, lens.tangentY);
+  const double farPlane = camera.farPlane > nearPlane ? camera.farPlane : 0;
+  lens.nearPlane = nearPlane;
+  lens.farPlane = farPlane;
+  lens.depthScale = farPlane > 0 ? -nearPlane / (farPlane - nearPlane) : 0.0;
+  lens.depthOffset = farPlane > 0 ? farPlane * nearPlane / (farPlane - nearPlane) : nearPlane;
+  return lens;
+}
+
 }  // namespace
 
 shared::FrameConstants makeFrameConstants(const Camera& camera, const Bounds& bounds, const Sky& sky,
                                           const Settings& settings, int width, int height, const LightRanges& lights,
                                           const glm::vec2& jitter) {
-  if (width < 1 || height < 1) throw Error(ErrorKind::usage, "the picture's size must be at least 1 x 1");
-  if (!(camera.verticalFov > 0 && camera.verticalFov < 3.14159f))
-    throw Error(ErrorKind::usage, "the camera's field of view must lie between 0 and 180 degrees");
-  const Basis basis = basisOf(camera);
-  const double aspect = static_cast<double>(width) / height;
-  const double tangent = std::tan(0.5 * static_cast<double>(camera.verticalFov));
-  const double nearPlane = chooseNear(camera, bounds, tangent * aspect, tangent);
-  const double farPlane = camera.farPlane > nearPlane ? camera.farPlane : 0;
+  const Lens lens = lensOf(camera, bounds, width, height);
+  const Basis& basis = lens.basis;
   const double diagonal = bounds.empty() ? 0.0 : bounds.diagonal();
 
-  // Rows of clip = M * (p - eye, 1): w is the distance along the axis, z is near at w = far and w at w = near.
-  const double zScale = farPlane > 0 ? -nearPlane / (farPlane - nearPlane) : 0.0;
-  const double zOffset = farPlane > 0 ? farPlane * nearPlane / (farPlane - nearPlane) : nearPlane;
+  // Rows of clip = M * (p - eye, 1): w is the distance along the axis, z / w the reversed depth.
   const dvec3 eye(camera.eye);
   const auto row = [&](const dvec3& axis, double offset) { return dvec4(axis, offset - glm::dot(axis, eye)); };
   // Samples come to lie at the centers of pixels.
   const glm::dvec2 shift = 2.0 * glm::dvec2(jitter) / glm::dvec2(width, height);
-  const dmat4 viewProjection = glm::transpose(dmat4(row(basis.right / (tangent * aspect) - shift.x * basis.forward, 0),
-                                                    row(basis.up / tangent - shift.y * basis.forward, 0),
-                                                    row(basis.forward * zScale, zOffset), row(basis.forward, 0)));
+  const dmat4 viewProjection =
+      glm::transpose(dmat4(row(basis.right / lens.tangentX - shift.x * basis.forward, 0),
+                           row(basis.up / lens.tangentY - shift.y * basis.forward, 0),
+                           row(basis.forward * lens.depthScale, lens.depthOffset), row(basis.forward, 0)));
 
   shared::FrameConstants frame{};
   frame.viewProjection = glm::mat4(viewProjection);
   frame.eye = camera.eye;
-  frame.pixelCone = static_cast<float>(2 * tangent / height);
+  frame.pixelCone = static_cast<float>(2 * lens.tangentY / height);
   frame.forward = basis.forward;
-  frame.nearPlane = static_cast<float>(nearPlane);
-  frame.right = basis.right * (tangent * aspect);
-  frame.farPlane = static_cast<float>(farPlane);
-  frame.up = basis.up * tangent;
+  frame.nearPlane = static_cast<float>(lens.nearPlane);
+  frame.right = basis.right * lens.tangentX;
+  frame.farPlane = static_cast<float>(lens.farPlane);
+  frame.up = basis.up * lens.tangentY;
   frame.minDistance = smallestHitDistance(bounds);
   frame.boundsLow = bounds.empty() ? glm::vec3(0) : bounds.low;
   frame.diagonal = static_cast<float>(diagonal);
@@ -111,6 +130,21 @@ shared::FrameConstants makeFrameConstants(const Camera& camera, const Bounds& bo
   frame.bounces = static_cast<std::uint32_t>(settings.trace.bounces);
   frame.jitter = jitter;
   return frame;
+}
+
+CameraMatrices cameraMatrices(const Camera& camera, const Bounds& bounds, const Target& target) {
+  const Lens lens = lensOf(camera, bounds, target.width, target.height);
+  const Basis& basis = lens.basis;
+  const dvec3 eye(camera.eye);
+  const auto row = [&eye](const dvec3& axis) { return dvec4(axis, -glm::dot(axis, eye)); };
+  const dmat4 view = glm::transpose(dmat4(row(basis.right), row(basis.up), row(-basis.forward), dvec4(0, 0, 0, 1)));
+  // The distance along the axis is -z. Depth d of a clip space 0..1, reversed, is 1 - 2 d in one of -1..1, standard.
+  const bool reversed = target.depth == DepthUse::reversed;
+  const double zScale = reversed ? -lens.depthScale : 2 * lens.depthScale - 1;
+  const double zOffset = reversed ? lens.depthOffset : -2 * lens.depthOffset;
+  const dmat4 projection = glm::transpose(dmat4(dvec4(1 / lens.tangentX, 0, 0, 0), dvec4(0, 1 / lens.tangentY, 0, 0),
+                                                dvec4(0, 0, zScale, zOffset), dvec4(0, 0, -1, 0)));
+  return {glm::mat4(view), glm::mat4(projection)};
 }
 
 glm::vec2 sampleOffset(std::uint32_t sample) {

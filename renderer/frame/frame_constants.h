@@ -8,6 +8,7 @@
 #include <halfsilver/scene.h>
 #include <halfsilver/settings.h>
 #include <halfsilver/shared_structs.h>
+#include <halfsilver/target.h>
 
 namespace halfsilver {
 
@@ -19,6 +20,9 @@ namespace halfsilver {
 shared::FrameConstants makeFrameConstants(const Camera& camera, const Bounds& bounds, const Sky& sky,
                                           const Settings& settings, int width, int height, const LightRanges& lights,
                                           const glm::vec2& jitter = glm::vec2(0));
+
+// See Renderer::matrices(). The same planes and errors as above.
+CameraMatrices cameraMatrices(const Camera& camera, const Bounds& bounds, const Target& target);
 
 // Where sample number `sample` of a pixel lies, from its center, in pixels (-0.5..0.5): the first at the center, every
 // beginning of the sequence evenly spread over the pixel (the first two dimensions of Sobol 1967). The mean of all is a

@@ -1,14 +1,13 @@
 #pragma once
 
-#include <glm/glm.hpp>
+#include <cstddef>
 
 #include <halfsilver/frame_view.h>
-#include "gl/framebuffer.h"
-#include "gl/program.h"
+#include "passes/target_draw.h"
 
 namespace halfsilver {
 
-// Blends deferred shading and reflection into a framebuffer of the G-buffer's size, section "composite".
+// Blends deferred shading and reflection into a target, section "composite".
 class CompositePass {
  public:
   enum class Output {
@@ -19,13 +18,13 @@ class CompositePass {
 
   explicit CompositePass(const gl::Api& api);
 
-  // Draws to color output 0 of `framebuffer` with its lower left corner at `origin`. Alpha is 1.
-  void run(const FrameView& view, const GBuffer& gbuffer, Output output, GLuint framebuffer, const glm::ivec2& origin);
+  // Draws to color output 0 of a target of the G-buffer's size. Alpha is 1.
+  void run(const FrameView& view, Output output, const Target& target);
 
  private:
-  const gl::Api* api_;
-  gl::Program display_, undithered_, linear_;  // the second is made when first used
-  gl::EmptyVertexArray vertexArray_;
+  static constexpr std::size_t kOutputs = 3;
+  TargetDraw draw_;
+  gl::Program programs_[kOutputs][2];  // [output][depth]; those that most frames need are made at once
 };
 
 }  // namespace halfsilver

@@ -1,17 +1,14 @@
 #pragma once
 
-#include <glm/glm.hpp>
-
 #include <halfsilver/frame_view.h>
-#include "gl/framebuffer.h"
-#include "gl/program.h"
+#include "passes/target_draw.h"
 
 namespace halfsilver {
 
 // Shows a picture of radiance, section "composite".
 class DisplayPass {
  public:
-  explicit DisplayPass(const gl::Api& api) : api_(&api), vertexArray_(api) {}
+  explicit DisplayPass(const gl::Api& api) : draw_(api) {}
 
   // The picture is `scale` times the sum of the parts.
   struct Source {
@@ -21,13 +18,12 @@ class DisplayPass {
   };
   enum class Output { display, linear };  // as CompositePass::Output
 
-  // Draws to color output 0 of `framebuffer` with its lower left corner at `origin`.
-  void run(const FrameView& view, const Source& source, Output output, GLuint framebuffer, const glm::ivec2& origin);
+  // Draws to color output 0 of a target of the source's size.
+  void run(const FrameView& view, const Source& source, Output output, const Target& target);
 
  private:
-  const gl::Api* api_;
-  gl::Program programs_[2][2];  // [linear][two parts], made when first used
-  gl::EmptyVertexArray vertexArray_;
+  TargetDraw draw_;
+  gl::Program programs_[2][2][2];  // [linear][two parts][depth], made when first used
 };
 
 }  // namespace halfsilver

@@ -1,13 +1,10 @@
 // Blends deferred shading and reflection and brings the result to the display.
 #include "lib/display.glsl"
 #include "lib/pixel_light.glsl"
-
-uniform vec2 origin;  // of the target's rectangle
-
-layout(location = 0) out vec4 color;
+#include "lib/target.glsl"
 
 void main() {
-  ivec2 pixel = ivec2(gl_FragCoord.xy - origin);
+  ivec2 pixel = targetPixel();
   PixelLight light = pixelLight(pixel);
   vec3 radiance = light.surface + light.reflected;
 #if defined LINEAR

@@ -1,5 +1,6 @@
 // Brings a picture of radiance to the display.
 #include "lib/display.glsl"
+#include "lib/target.glsl"
 #include "shared/passes/display.h"
 
 layout(binding = UNIT_PICTURE) uniform sampler2D picture;
@@ -7,13 +8,10 @@ layout(binding = UNIT_PICTURE) uniform sampler2D picture;
 layout(binding = UNIT_REFLECTED) uniform sampler2D reflected;
 #endif
 
-uniform vec2 origin;  // of the target's rectangle
 uniform float scale;
 
-layout(location = 0) out vec4 color;
-
 void main() {
-  ivec2 pixel = ivec2(gl_FragCoord.xy - origin);
+  ivec2 pixel = targetPixel();
   vec3 radiance = scale * texelFetch(picture, pixel, 0).rgb;
 #ifdef IN_TWO_PARTS
   radiance += scale * texelFetch(reflected, pixel, 0).rgb;

@@ -1,13 +1,10 @@
 // Smooths edges of the tone-mapped picture: where brightness jumps, a pixel takes a share of the neighbor across the edge
 // that depends on how near the ends of the edge's step are, so that stairs become ramps (the idea: Lottes 2009, "FXAA").
 #include "lib/display.glsl"
+#include "lib/target.glsl"
 #include "shared/passes/display.h"
 
 layout(binding = UNIT_PICTURE) uniform sampler2D picture;  // display values, filtered linearly
-
-uniform vec2 origin;  // of the target's rectangle
-
-layout(location = 0) out vec4 color;
 
 const float RELATIVE_CONTRAST = 0.125;  // smaller ones are no edges
 const float LEAST_CONTRAST = 0.03;
@@ -20,7 +17,7 @@ float brightness(vec3 display) { return dot(display, vec3(0.299, 0.587, 0.114));
 float brightnessAt(vec2 at) { return brightness(textureLod(picture, at / vec2(frame.width, frame.height), 0.0).rgb); }
 
 void main() {
-  ivec2 pixel = ivec2(gl_FragCoord.xy - origin);
+  ivec2 pixel = targetPixel();
   vec2 center = vec2(pixel) + 0.5;
   vec3 own = texelFetch(picture, pixel, 0).rgb;
   float m = brightness(own);

@@ -94,7 +94,7 @@ std::vector<glm::vec4> LightTest::composite(CompositePass::Output output) {
   const gl::Texture target(api, {.format = GL_RGBA32F, .width = gbuffer.width, .height = gbuffer.height}, "target");
   const gl::Framebuffer framebuffer(api);
   framebuffer.attach(GL_COLOR_ATTACHMENT0, target);
-  compositePass.run(view(), gbuffer, output, framebuffer.name(), {0, 0});
+  compositePass.run(view(), output, {framebuffer.name(), 0, 0, gbuffer.width, gbuffer.height});
   return pixels(target);
 }
 

@@ -187,7 +187,7 @@ TEST_F(CompositeTest, KeepsToItsRectangle) {
   api.ClearTexImage(target.name(), 0, GL_RGBA, GL_FLOAT, &before);
   const gl::Framebuffer framebuffer(api);
   framebuffer.attach(GL_COLOR_ATTACHMENT0, target);
-  compositePass.run(view(), gbuffer, CompositePass::Output::linear, framebuffer.name(), {5, 9});
+  compositePass.run(view(), CompositePass::Output::linear, {framebuffer.name(), 5, 9, gbuffer.width, gbuffer.height});
   const std::vector<vec4> image = pixels(target);
   for (int y = 0; y < 32; ++y)
     for (int x = 0; x < 32; ++x) {

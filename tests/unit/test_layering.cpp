@@ -68,6 +68,7 @@ const std::map<std::string, std::string> kPublicHeaders = {
     {"settings.h", "settings"},
     {"shared_structs.h", "frame"},
     {"structure_cells.h", "core"},
+    {"target.h", "core"},
     {"tracer.h", "tracing"},
     {"gl/api.h", "gl"},
     {"gl/buffer.h", "gl"},

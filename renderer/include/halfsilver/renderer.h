@@ -17,16 +17,10 @@
 #include <halfsilver/scene_change.h>
 #include <halfsilver/settings.h>
 #include <halfsilver/structure_cells.h>
+#include <halfsilver/target.h>
 
 // The public class. Everything here throws halfsilver::Error and nothing else on purpose.
 namespace halfsilver {
-
-// A rectangle of a framebuffer that the caller owns (0: the default framebuffer). Row 0 is the bottom, as in GL.
-struct Target {
-  unsigned framebuffer = 0;
-  int x = 0, y = 0;
-  int width = 0, height = 0;
-};
 
 // A surface of a picture.
 struct Picked {
@@ -107,6 +101,14 @@ class Renderer {
   // Temporal antialiasing forgets by itself after setScene(), and if the size or settings other than image.* and the
   // share of reflections that are traced (select.fraction, select.min_contribution) are not those of the frame before.
   void forgetHistory();
+
+  // What brings objects of the caller's (relative to Scene::origin) to where the camera shows them in the target, at
+  // depths that compare with those that a frame leaves there (see DepthUse; none is as standard). Planes that the
+  // camera leaves at 0 are those of a frame of the scene as it is now and may cut off what lies outside its bounds:
+  // name them if there is such. Samples of refine() and of temporal antialiasing lie up to half a pixel from the
+  // pixels' centers, and so does the depth that they leave, which is the newest one's. Throws Error (usage) for a size
+  // below 1, a camera without a direction or a field of view and without a scene.
+  CameraMatrices matrices(const Camera& camera, const Target& target) const;
 
   // What the frame that finish() ended last took and held. Waits for the GPU.
   FrameReport report();
