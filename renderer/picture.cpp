@@ -44,7 +44,7 @@ PictureUse Picture::beginTemporal(View view) {
   PictureUse use{.kind = PictureUse::Kind::temporal};
   use.first = !history_ || history_->subject != subject;
   if (use.first) {
-    history_.emplace().subject = std::move(subject);
+    history_ = History{.subject = std::move(subject), .last = {}};
   } else {
     const bool same = !history_->changed && history_->last == view;
     history_->unsettled = same ? std::max(0, history_->unsettled - 1) : kSettling;
