@@ -8,7 +8,6 @@
 #include "frame/gpu_scene.h"
 #include "gl/program.h"
 #include "gl/state_guard.h"
-#include "scene/pose.h"
 #include "scene/vertex_ranges.h"
 
 namespace halfsilver {
@@ -109,7 +108,7 @@ void Renderer::Impl::begin(const Camera& camera, const Settings& wanted, int wid
   record.begin();
   const auto section = record.profiler().section("frame");
   useTracer(wanted);
-  if (rig) posePass.run(*rig, scene, record.profiler());
+  if (rig) posePass.run(*rig, scene, wanted.scene.posing, record.profiler());
   drawShadows(wanted, record.profiler());
   const PictureUse use = picture.begin(camera, wanted, {width, height}, sample);
   const shared::FrameConstants constants =
@@ -206,6 +205,7 @@ void Renderer::Impl::upload(const Scene& wanted, const SceneChange& changed) {
     throw;
   }
   if (changed.lights) lights = wanted.lights;
+  if (changed.lights && rig) rig->putInPlace(lights);
   if (changed.sky) sky = wanted.sky;
   noteChange(changed);
 }
@@ -234,7 +234,7 @@ void Renderer::Impl::load(const Scene& wanted, std::vector<PosedPart> posed) {
 void Renderer::Impl::pose(const PoseState& state) {
   motionPass.advance(scene);
   GpuRig::Change posed = rig->take(state, scene);
-  posed.scene.lights = followLights(rig->lightNodes(), state, rig->origin(), lights);
+  posed.scene.lights = rig->follow(state, lights);
   if (!posed.scene.any()) return;
   shadowChange.add(posed.touched);
   noteChange(posed.scene);

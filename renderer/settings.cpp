@@ -13,6 +13,7 @@ namespace halfsilver {
 namespace {
 
 // Names of choices, in the order of the enumerators. Those of a method's own are beside its settings.
+constexpr auto choiceNames(Posing) { return std::array{"gpu", "cpu"}; }
 constexpr auto choiceNames(SelectMode) { return std::array{"none", "reflective", "all"}; }
 constexpr auto choiceNames(SelectPattern) { return std::array{"scattered", "region"}; }
 constexpr auto choiceNames(Fill) { return std::array{"sky", "neighbours"}; }
@@ -53,6 +54,7 @@ void visitMethods(S& s, Visitor&& visit, Wanted&& wanted) {
 template <class S, class Visitor>
 void visitAll(S& s, Visitor&& visit) {
   visit("scene.cull_back_faces", s.scene.cullBackFaces, 0, 1, "single-sided materials are invisible from behind");
+  visit("scene.posing", s.scene.posing, 0, 0, "what places animated vertices; cpu: in double precision");
   visit("select.mode", s.select.mode, 0, 0, "which pixels are traced");
   visit("select.fraction", s.select.fraction, 0, 1, "share of the selected pixels that is kept");
   visit("select.pattern", s.select.pattern, 0, 0, "where the pixels that are kept lie on the screen");

@@ -1,6 +1,7 @@
 #include "frame/gpu_rig.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <limits>
 #include <span>
@@ -73,8 +74,9 @@ struct RestData {
   }
 };
 
-std::uint32_t groupsOf(std::size_t vertices) {
-  return static_cast<std::uint32_t>((vertices + POSE_GROUP - 1) / POSE_GROUP);
+// What has an invocation of its own: triangles with flat normals, else vertices.
+std::uint32_t itemsOf(const Instance& instance) {
+  return instance.flatNormals ? instance.vertexCount / 3 : instance.vertexCount;
 }
 
 // From rest positions around the center to positions relative to the origin.
@@ -95,6 +97,10 @@ void addRange(std::vector<VertexRange>& ranges, const Instance& instance) {
 }  // namespace
 
 GpuRig::GpuRig(const gl::Api& api, const Model& model) : rig_(model.rig), origin_(model.scene.origin) {
+  state_ = evaluate(rig_, {});
+  for (const int node : rig_.lightNodes)
+    restNodes_.push_back(node < 0 ? glm::dmat4(1) : state_.world[static_cast<std::size_t>(node)]);
+  lightNodes_ = restNodes_;
   if (rig_.instances.empty()) return;
   RestData data;
   std::size_t groups = 0, matrices = 0, weights = 0;
@@ -102,19 +108,19 @@ GpuRig::GpuRig(const gl::Api& api, const Model& model) : rig_(model.rig), origin
   for (const Instance& instance : rig_.instances) {
     requireFit(model, instance, triangles);
     triangles = instance.firstTriangle + instance.triangleCount;
-    Part& part = parts_.emplace_back(Part{
-        .shape = InstanceShape(rig_, instance), .shares = matrixShares(rig_, instance), .turned = instance.turned});
+    Part& part =
+        parts_.emplace_back(Part{.shape = InstanceShape(rig_, instance), .shares = matrixShares(rig_, instance)});
     part.fits = data.fits(instance, static_cast<std::size_t>(api.limits.storageBlockBytes));
     if (!part.fits) continue;
     part.rest = static_cast<std::uint32_t>(data.vertices.size());
     data.addVertices(instance, part.shape.center());
-    part.influences = instance.skin < 0 ? NOT_SKINNED : static_cast<std::uint32_t>(data.influences.size());
+    part.influences = static_cast<std::uint32_t>(data.influences.size());
     if (instance.skin >= 0) data.addInfluences(instance);
     for (const Instance::MorphTarget& target : instance.targets) {
       part.deltas.push_back(static_cast<std::uint32_t>(data.deltas.size()));
       data.addDeltas(target, instance.rest.size());
     }
-    groups += groupsOf(instance.rest.size());
+    groups += (itemsOf(instance) + POSE_GROUP - 1) / POSE_GROUP;
     matrices += part.shares.size();
     weights += instance.targets.size();
   }
@@ -149,33 +155,31 @@ std::vector<GpuRig::Next> GpuRig::next(const PoseState& state) const {
 
 GpuRig::Change GpuRig::take(const PoseState& state, GpuScene& scene) {
   std::vector<Next> all = next(state);
-  const double tolerance = kTolerance * static_cast<double>(scene.extents.bounds().diagonal());
+  state_ = state;
+  std::vector<Bounds> boxes;
+  for (const Next& each : all) boxes.push_back(each.moves ? each.placed.bounds : Bounds());
+  scene.extents.hold(boxes);
+  // That of a pose alone, whatever poses came before.
+  const double tolerance = kTolerance * static_cast<double>(scene.extents.usual().diagonal());
   Change change;
-  std::vector<Bounds> boxes(parts_.size());
   for (std::size_t i = 0; i < parts_.size(); ++i) {
-    const Instance& instance = rig_.instances[i];
+    Instance& instance = rig_.instances[i];
     Part& part = parts_[i];
     Next& next = all[i];
     if (!next.moves) continue;
     const bool turned = mirrored(next.matrices, part.shares);
-    if (turned != part.turned && instance.triangleCount > 0) {
+    if (turned != instance.turned && instance.triangleCount > 0) {
       const TriangleRange triangles{instance.firstTriangle, instance.triangleCount};
       turnTriangles(scene, triangles);
       change.scene.turned.push_back(triangles);
     }
-    part.turned = turned;
+    instance.turned = turned;
     const double error =
         kRoundedTerms * next.placed.largest * static_cast<double>(std::numeric_limits<float>::epsilon());
     part.waiting = part.fits && !next.placed.flat && error <= tolerance;
-    if (!part.waiting) {
-      std::vector<Vertex> vertices(instance.rest.size());
-      place(rig_, instance, state, origin_, vertices);
-      writeVertices(scene, vertices, instance.firstVertex);
-    }
+    if (!part.waiting) placeOnCpu(i, scene);
     part.matrices = std::move(next.matrices);
     part.weights = std::move(next.weights);
-    boxes[i] = next.placed.bounds;
-    scene.extents.hold(i, boxes[i]);
     if (instance.vertexCount > 0) addRange(change.scene.moved, instance);
   }
   change.touched = scene.clusters.follow(boxes);
@@ -186,34 +190,75 @@ bool GpuRig::waiting() const {
   return std::any_of(parts_.begin(), parts_.end(), [](const Part& part) { return part.waiting; });
 }
 
-std::uint32_t GpuRig::upload() {
-  std::vector<shared::PoseGroup> groups;
+void GpuRig::placeOnCpu(std::size_t part, GpuScene& scene) const {
+  const Instance& instance = rig_.instances[part];
+  std::vector<Vertex> vertices(instance.rest.size());
+  place(rig_, instance, state_, origin_, vertices);
+  writeVertices(scene, vertices, instance.firstVertex);
+}
+
+void GpuRig::placeOnCpu(GpuScene& scene) {
+  for (std::size_t i = 0; i < parts_.size(); ++i)
+    if (std::exchange(parts_[i].waiting, false)) placeOnCpu(i, scene);
+}
+
+bool GpuRig::follow(const PoseState& state, std::span<Light> lights) {
+  bool moved = false;
+  for (std::size_t i = 0; i < std::min(lights.size(), rig_.lightNodes.size()); ++i) {
+    if (rig_.lightNodes[i] < 0) continue;
+    const glm::dmat4& node = state.world[static_cast<std::size_t>(rig_.lightNodes[i])];
+    if (std::exchange(lightNodes_[i], node) == node) continue;
+    halfsilver::follow(lights[i], node, origin_);
+    moved = true;
+  }
+  return moved;
+}
+
+void GpuRig::putInPlace(std::span<Light> lights) const {
+  for (std::size_t i = 0; i < std::min(lights.size(), restNodes_.size()); ++i)
+    if (lightNodes_[i] != restNodes_[i]) halfsilver::follow(lights[i], lightNodes_[i], origin_);
+}
+
+std::vector<GpuRig::Batch> GpuRig::upload() {
+  std::array<std::vector<shared::PoseGroup>, Batch::kKinds> groups;
+  std::array<Batch, Batch::kKinds> kinds;
   std::vector<shared::PoseMatrix> matrices;
   std::vector<shared::MorphWeight> weights;
   for (std::size_t i = 0; i < parts_.size(); ++i) {
     Part& part = parts_[i];
     if (!std::exchange(part.waiting, false)) continue;
     const Instance& instance = rig_.instances[i];
+    const Batch batch{instance.skin >= 0, !instance.targets.empty(), instance.flatNormals};
+    kinds[batch.kind()] = batch;
     shared::PoseGroup group{};
     group.vertex = instance.firstVertex;
     group.rest = part.rest;
     group.influences = part.influences;
     group.matrix = static_cast<std::uint32_t>(matrices.size());
     group.morphWeights = static_cast<std::uint32_t>(weights.size());
-    group.flags = (instance.flatNormals ? POSE_FLAT_NORMALS : 0) | (part.turned ? POSE_TURNED : 0);
+    group.flags = instance.turned ? POSE_TURNED : 0;
     for (const glm::dmat4& matrix : part.matrices) matrices.push_back(relative(matrix, part.shape.center(), origin_));
     for (std::size_t k = 0; k < std::min(part.weights.size(), part.deltas.size()); ++k)
       if (part.weights[k] != 0) weights.push_back({part.deltas[k], static_cast<float>(part.weights[k])});
     group.morphCount = static_cast<std::uint32_t>(weights.size()) - group.morphWeights;
-    for (; group.first < instance.vertexCount; group.first += POSE_GROUP) {
-      group.count = std::min<std::uint32_t>(POSE_GROUP, instance.vertexCount - group.first);
-      groups.push_back(group);
+    for (const std::uint32_t items = itemsOf(instance); group.first < items; group.first += POSE_GROUP) {
+      group.count = std::min<std::uint32_t>(POSE_GROUP, items - group.first);
+      groups[batch.kind()].push_back(group);
     }
   }
-  groups_.write(std::span<const shared::PoseGroup>(groups));
+  std::vector<shared::PoseGroup> all;
+  std::vector<Batch> batches;
+  for (std::size_t kind = 0; kind < groups.size(); ++kind) {
+    if (groups[kind].empty()) continue;
+    Batch& batch = batches.emplace_back(kinds[kind]);
+    batch.firstGroup = static_cast<std::uint32_t>(all.size());
+    batch.groupCount = static_cast<std::uint32_t>(groups[kind].size());
+    all.insert(all.end(), groups[kind].begin(), groups[kind].end());
+  }
+  groups_.write(std::span<const shared::PoseGroup>(all));
   matrices_.write(std::span<const shared::PoseMatrix>(matrices));
   weights_.write(std::span<const shared::MorphWeight>(weights));
-  return static_cast<std::uint32_t>(groups.size());
+  return batches;
 }
 
 void GpuRig::bind() const {
@@ -230,7 +275,7 @@ std::size_t GpuRig::bytes() const {
 }
 
 std::vector<PosedPart> posedParts(const Model& model) {
-  const std::vector<Bounds> bounds = animatedBounds(model);
+  const std::vector<Bounds> bounds = instanceBounds(model);
   std::vector<PosedPart> parts;
   for (std::size_t i = 0; i < bounds.size(); ++i) {
     const Instance& instance = model.rig.instances[i];

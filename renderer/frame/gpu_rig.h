@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include <halfsilver/pose.h>
@@ -30,13 +32,24 @@ class GpuRig {
   // floats.
   Change take(const PoseState& state, GpuScene& scene);
 
-  const std::vector<int>& lightNodes() const { return rig_.lightNodes; }
-  const glm::dvec3& origin() const { return origin_; }
+  // Attached lights follow the nodes that the pose moves. Returns whether one did.
+  bool follow(const PoseState& state, std::span<Light> lights);
+  // Puts lights of the caller, which are as at rest, where their nodes have moved to.
+  void putInPlace(std::span<Light> lights) const;
 
-  // For the pass: whether instances wait for it; uploads their pose, after which they do not, and returns how many
-  // groups of vertices they have; binds SSBO_REST to SSBO_POSE_GROUPS.
+  // Groups of vertices that one program places.
+  struct Batch {
+    bool skinned = false, morphed = false, flatNormals = false;  // what the program knows
+    std::uint32_t firstGroup = 0, groupCount = 0;
+
+    static constexpr std::size_t kKinds = 8;
+    std::size_t kind() const { return (skinned ? 1u : 0u) + (morphed ? 2u : 0u) + (flatNormals ? 4u : 0u); }
+  };
+  // For the pass: whether instances wait for it; places them on the CPU; or uploads their pose and returns the batches,
+  // of a kind each. After either they wait no more. bind(): SSBO_REST to SSBO_POSE_GROUPS.
   bool waiting() const;
-  std::uint32_t upload();
+  void placeOnCpu(GpuScene& scene);
+  std::vector<Batch> upload();
   void bind() const;
 
   std::size_t bytes() const;
@@ -45,8 +58,7 @@ class GpuRig {
   struct Part {
     InstanceShape shape;
     std::vector<double> shares;  // see matrixShares()
-    bool turned = false;
-    bool fits = false;  // the GPU has the next three
+    bool fits = false;           // the GPU has the next three
     std::uint32_t rest = 0, influences = 0;
     std::vector<std::uint32_t> deltas{};  // of each morph target, the first float
     // The pose that was taken last; no matrices: none.
@@ -62,8 +74,11 @@ class GpuRig {
     bool moves = false;
   };
   std::vector<Next> next(const PoseState& state) const;
+  void placeOnCpu(std::size_t part, GpuScene& scene) const;
 
   Rig rig_;
+  PoseState state_;                                 // that was taken last
+  std::vector<glm::dmat4> restNodes_, lightNodes_;  // of each light with a node: at rest, and in that pose
   glm::dvec3 origin_{0};
   std::vector<Part> parts_;  // of each instance
   gl::Buffer rest_, influences_, deltas_;

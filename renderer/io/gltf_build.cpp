@@ -36,9 +36,10 @@ struct WorldBounds {
 // center: the nearest multiple of a power of two, so that subtracting it is exact.
 glm::dvec3 chooseOrigin(const WorldBounds& bounds) {
   constexpr double kFar = 32;  // sizes
-  const double size = glm::length(bounds.high - bounds.low);
+  const double extent = glm::length(bounds.high - bounds.low);
+  const double size = extent > 0 ? extent : 1;  // a point at rest grows to something as it is animated
   const glm::dvec3 center = 0.5 * bounds.low + 0.5 * bounds.high;
-  if (!(glm::length(center) > kFar * size) || size == 0) return glm::dvec3(0);
+  if (!(glm::length(center) > kFar * size)) return glm::dvec3(0);
   const double step = std::exp2(std::ceil(std::log2(size)));
   return glm::round(center / step) * step;
 }
@@ -259,7 +260,8 @@ class Builder {
       diagnostics_.warn("the scene has no lights: it is lit by a default sun and sky");
     }
     if (scene.cameras.empty()) {
-      scene.cameras.push_back(frameAll(bounds));
+      // What is a point or nothing at rest is framed as its animations make it.
+      scene.cameras.push_back(frameAll(bounds.diagonal() > 0 ? bounds : animatedBounds(model_)));
       model_.rig.cameraNodes.push_back(-1);
       diagnostics_.warn("the scene has no camera: the view shows the whole scene");
     }

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <array>
+
 #include <halfsilver/gl/profiler.h>
+#include <halfsilver/settings.h>
 #include "frame/gpu_rig.h"
 #include "gl/program.h"
 
@@ -11,11 +14,13 @@ class PosePass {
  public:
   explicit PosePass(const gl::Api& api) : api_(&api) {}
 
-  void run(GpuRig& rig, const GpuScene& scene, gl::Profiler& profiler);
+  void run(GpuRig& rig, GpuScene& scene, Posing posing, gl::Profiler& profiler);
 
  private:
+  const gl::Program& programFor(const GpuRig::Batch& batch);
+
   const gl::Api* api_;
-  gl::Program program_;  // made when first used
+  std::array<gl::Program, GpuRig::Batch::kKinds> programs_;  // made when first used
 };
 
 }  // namespace halfsilver

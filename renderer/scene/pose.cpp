@@ -249,7 +249,10 @@ bool mirrored(std::span<const glm::dmat4> matrices, std::span<const double> shar
 }
 
 bool mirrored(const Rig& rig, const Instance& instance, const PoseState& state) {
-  return mirrored(placingMatrices(rig, instance, state), matrixShares(rig, instance));
+  const std::vector<glm::dmat4> matrices = placingMatrices(rig, instance, state);
+  const auto upright = [](const glm::dmat4& matrix) { return glm::determinant(glm::dmat3(matrix)) > 0; };
+  if (std::all_of(matrices.begin(), matrices.end(), upright)) return false;  // whatever their shares
+  return mirrored(matrices, matrixShares(rig, instance));
 }
 
 std::vector<glm::dvec3> worldPositions(const Rig& rig, const Instance& instance, const PoseState& state) {

@@ -168,6 +168,14 @@ InstanceShape::Placed InstanceShape::at(std::span<const glm::dmat4> matrices, st
   return placed;
 }
 
-std::vector<Bounds> animatedBounds(const Model& model) { return AnimatedBounds(model).run(); }
+std::vector<Bounds> instanceBounds(const Model& model) {
+  return model.rig.instances.empty() ? std::vector<Bounds>() : AnimatedBounds(model).run();
+}
+
+Bounds animatedBounds(const Model& model) {
+  Bounds bounds = model.scene.bounds();
+  for (const Bounds& instance : instanceBounds(model)) add(bounds, instance);
+  return bounds;
+}
 
 }  // namespace halfsilver

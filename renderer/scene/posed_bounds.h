@@ -39,6 +39,6 @@ class InstanceShape {
 
 // For each instance of the rig a box of all that its animations make of it, one at a time and together. Poses between
 // the sampled ones may leave it by a little, poses of the caller's own by much.
-std::vector<Bounds> animatedBounds(const Model& model);
+std::vector<Bounds> instanceBounds(const Model& model);
 
 }  // namespace halfsilver

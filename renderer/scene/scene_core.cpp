@@ -1,6 +1,7 @@
 #include <halfsilver/scene_core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <numeric>
@@ -13,7 +14,7 @@ namespace halfsilver {
 namespace {
 
 constexpr float kWorthwhile = 4;
-// Of the longest side of a posed part's box, by which it grows beyond what it must.
+// Of the longest side of a posed part's box, by which it grows at least.
 constexpr float kSlack = 0.125f;
 
 // 0 for an empty box, and never NaN.
@@ -37,6 +38,22 @@ void add(Bounds& bounds, const Bounds& other) {
 
 bool reachesBeyond(const Bounds& inner, const Bounds& outer) {
   return glm::any(glm::lessThan(inner.low, outer.low)) || glm::any(glm::greaterThan(inner.high, outer.high));
+}
+
+// The box, grown by steps of a size that doubles from kSlack on, until it holds the other one.
+Bounds grown(const Bounds& own, const Bounds& other) {
+  Bounds result = own;
+  add(result, other);
+  const float step = kSlack * longestSide(own);
+  if (own.empty() || !(step > 0)) return result;
+  const auto stepped = [step](float beyond) {
+    return beyond > 0 ? step * std::exp2(std::max(0.0f, std::ceil(std::log2(beyond / step)))) : 0;
+  };
+  for (int axis = 0; axis < 3; ++axis) {
+    result.low[axis] = std::min(result.low[axis], own.low[axis] - stepped(own.low[axis] - other.low[axis]));
+    result.high[axis] = std::max(result.high[axis], own.high[axis] + stepped(other.high[axis] - own.high[axis]));
+  }
+  return result;
 }
 
 std::span<const Triangle> trianglesOf(const Scene& scene, std::size_t block) {
@@ -70,17 +87,24 @@ SceneExtents::SceneExtents(const Scene& scene, std::vector<PosedPart> posed)
   for (PosedPart& part : posed_)
     for (std::uint32_t t = 0; t < part.triangles.count; ++t)
       add(part.bounds, boundsOf(scene, scene.triangles[part.triangles.first + t]));
+  held_.reserve(posed_.size());
+  for (const PosedPart& part : posed_) held_.push_back(part.bounds);
   combine(scene);
 }
 
-void SceneExtents::hold(std::size_t part, const Bounds& box) {
-  Bounds& held = posed_[part].bounds;
-  if (box.empty() || !reachesBeyond(box, held)) return;
-  add(held, box);
-  const glm::vec3 slack(kSlack * longestSide(held));
-  held = {held.low - slack, held.high + slack};
-  add(bounds_, held);
-  add(core_.bounds, held);  // triangles that reach beyond it no more may still be called outer ones
+void SceneExtents::hold(std::span<const Bounds> boxes) {
+  for (std::size_t part = 0; part < posed_.size(); ++part)
+    if (!boxes[part].empty()) held_[part] = grown(posed_[part].bounds, boxes[part]);
+  grow();
+}
+
+void SceneExtents::grow() {
+  bounds_ = usual_;
+  core_.bounds = usualCore_;
+  for (const Bounds& held : held_) {
+    add(bounds_, held);
+    add(core_.bounds, held);  // triangles that reach beyond it no more may still be called outer ones
+  }
 }
 
 std::vector<std::uint32_t> SceneExtents::blocksUsing(std::span<const VertexRange> merged) const {
@@ -142,9 +166,16 @@ float SceneExtents::largestThatStays(const Scene& scene) const {
 void SceneExtents::combine(const Scene& scene) {
   Bounds inner;
   for (const PosedPart& part : posed_) add(inner, part.bounds);
-  bounds_ = inner;
-  for (const Block& block : blocks_) add(bounds_, block.bounds);
-  core_ = {bounds_, {}};
+  usual_ = inner;
+  for (const Block& block : blocks_) add(usual_, block.bounds);
+  usualCore_ = usual_;
+  core_.outer.clear();
+  findOuter(scene, inner);
+  grow();
+}
+
+// The core without the largest triangles, if that is much smaller; `inner`: of what is posed.
+void SceneExtents::findOuter(const Scene& scene, Bounds inner) {
   if (scene.triangles.size() <= kMaxOuterTriangles) return;
 
   const float limit = largestThatStays(scene);
@@ -161,8 +192,8 @@ void SceneExtents::combine(const Scene& scene) {
         add(inner, bounds);
     });
   }
-  if (kWorthwhile * longestSide(inner) > longestSide(bounds_)) return;
-  core_.bounds = inner;
+  if (kWorthwhile * longestSide(inner) > longestSide(usual_)) return;
+  usualCore_ = inner;
   std::erase_if(large, [&](std::uint32_t t) { return !reachesBeyond(boundsOf(scene, scene.triangles[t]), inner); });
   core_.outer = std::move(large);
 }

@@ -45,12 +45,12 @@ struct Posed {
   Posed(const gl::Api& wanted, const Model& model)
       : api(wanted), rig(wanted, model), scene(uploadScene(wanted, model.scene, posedParts(model))), pass(wanted) {}
 
-  // Returns whether the GPU had something to place.
-  bool take(const PoseState& state) {
+  // Returns whether the pass had something to place.
+  bool take(const PoseState& state, Posing posing = Posing::gpu) {
     change = rig.take(state, scene);
     const bool waited = rig.waiting();
     gl::Profiler untimed(api);
-    pass.run(rig, scene, untimed);
+    pass.run(rig, scene, posing, untimed);
     return waited;
   }
   std::vector<glm::vec3> positions() const { return scene.positions.read<glm::vec3>(scene.vertexCount); }
@@ -103,19 +103,20 @@ void expectHeld(const Posed& posed, const Model& model) {
 
 class GpuPose : public TracingTest {
  protected:
-  void expectAsInDoubles(Model model, const std::string& name) {
+  void expectAsInDoubles(Model model, const std::string& name, Posing posing = Posing::gpu) {
     Posed posed(api, model);
     const Bounds bounds = posed.scene.extents.bounds();
     const double diagonal = static_cast<double>(bounds.diagonal());
     bool moved = false;
     for (const double time : kTimes) {
       const PoseState state = poseOf(model, time * durationOf(model));
-      EXPECT_TRUE(posed.take(state) || time > 0) << name;
+      EXPECT_TRUE(posed.take(state, posing) || time > 0) << name;
       moved |= time > 0 && !posed.change.scene.moved.empty();
       pose(model, state);
       const Differences found = compare(posed, model);
-      EXPECT_LE(found.distance, GpuRig::kTolerance * diagonal) << name << " at " << time;
-      EXPECT_LE(found.angle, 0.05) << name << " at " << time;
+      const bool exact = posing == Posing::cpu;
+      EXPECT_LE(found.distance, exact ? 0 : GpuRig::kTolerance * diagonal) << name << " at " << time;
+      EXPECT_LE(found.angle, exact ? 0 : 0.05) << name << " at " << time;
       EXPECT_EQ(found.signs, 0u) << name << " at " << time;
       EXPECT_EQ(found.triangles, 0u) << name << " at " << time;
       expectHeld(posed, model);
@@ -139,7 +140,8 @@ TEST_F(GpuPose, FollowsMirrorsAndWhatComesOutOfNothing) {
        {"b01_animated_mirror", "b01_unmirrored_by_animation", "b03_joint_from_zero", "b03_morph_from_nothing",
         "b03_scale_from_zero", "b03_scale_from_zero_alone", "b04_step_tenths", "b05_slide_0.4", "b45_two_animations"}) {
     HALFSILVER_REQUIRE_SCENE(sharedCase(name));
-    expectAsInDoubles(loadGltf(sharedCase(name).string()), name);
+    for (const Posing posing : {Posing::gpu, Posing::cpu})
+      expectAsInDoubles(loadGltf(sharedCase(name).string()), name, posing);
   }
 }
 
@@ -162,27 +164,31 @@ TEST_F(GpuPose, DrawsTheCasesAsPosesOnTheCpuDo) {
                {"b05_slide_0.4", 0.4f, 0},
                {"b05_slide_0.9", 0.9f, 0},
                {"b45_two_animations", 1.5, 0}};
-  const Settings settings = settingsWith({{"select.mode", "none"}});
   for (const auto& each : cases) {
     HALFSILVER_REQUIRE_SCENE(sharedCase(each.name));
     Model model = loadGltf(sharedCase(each.name).string());
     const PoseState state = poseOf(model, each.seconds);
     const Camera camera = posedCamera(model, state, 0);
+    Model truth = model;
+    pose(truth, state);
+    const Settings none = settingsWith({{"select.mode", "none"}});
+    const std::vector<float> right = draw(truth.scene, camera, none, 160, 90).plane("depth.Z");
     Renderer posed = makeRenderer(model.scene);
-    posed.setModel(model);
-    posed.pose(state);
-    const std::vector<float> depth = drawWith(posed, camera, settings, 160, 90).plane("depth.Z");
-    pose(model, state);
-    const std::vector<float> truth = draw(model.scene, camera, settings, 160, 90).plane("depth.Z");
-    std::size_t covered = 0, wrong = 0;
-    for (std::size_t i = 0; i < depth.size(); ++i) {
-      covered += truth[i] > 0;
-      wrong += std::abs(depth[i] - truth[i]) > 1e-4f;
-    }
-    EXPECT_GT(covered, 20u) << each.name;
-    EXPECT_EQ(wrong, 0u) << each.name << " at " << each.seconds;
-    if (each.depth > 0) {
-      EXPECT_NEAR(depth[45 * 160 + 80], each.depth, 1e-4f) << each.name << " at " << each.seconds;
+    for (const char* posing : {"gpu", "cpu"}) {
+      posed.setModel(model);
+      posed.pose(state);
+      const Settings settings = settingsWith({{"select.mode", "none"}, {"scene.posing", posing}});
+      const std::vector<float> depth = drawWith(posed, camera, settings, 160, 90).plane("depth.Z");
+      std::size_t covered = 0, wrong = 0;
+      for (std::size_t i = 0; i < depth.size(); ++i) {
+        covered += right[i] > 0;
+        wrong += std::abs(depth[i] - right[i]) > 1e-4f;
+      }
+      EXPECT_GT(covered, 20u) << each.name;
+      EXPECT_EQ(wrong, 0u) << each.name << " at " << each.seconds << ", " << posing;
+      if (each.depth > 0) {
+        EXPECT_NEAR(depth[45 * 160 + 80], each.depth, 1e-4f) << each.name << " at " << each.seconds << ", " << posing;
+      }
     }
   }
 }
@@ -197,28 +203,31 @@ void addFloor(Model& model, const Bounds& bounds) {
 }
 
 TEST_F(GpuPose, RaysOfAllMethodsSeeTheSameTriangles) {
-  for (const char* name : {"fox", "desk_fan", "animated_morph_cube"}) {
+  for (const char* name : {"fox", "rigged_figure", "box_animated", "animated_morph_cube", "milk_truck", "desk_fan"}) {
     const std::filesystem::path file = sharedScene(std::string(name) + ".glb");
     HALFSILVER_REQUIRE_SCENE(file);
     Model model = loadGltf(file.string());
     for (Material& material : model.scene.materials) material.mirror = 0.5f;
-    addFloor(model, animatedBounds(model).front());
+    addFloor(model, instanceBounds(model).front());
     const Camera camera = frameAll(model.scene.bounds());
     Settings exact = settingsWith({{"trace.method", "exact"}, {"select.mode", "all"}}), identity = exact, bvh = exact;
     set(identity, "trace.method", "identity");
     set(bvh, "trace.method", "bvh");
     Renderer renderers[] = {makeRenderer(model.scene), makeRenderer(model.scene), makeRenderer(model.scene)};
     for (Renderer& renderer : renderers) renderer.setModel(model);
-    for (const double time : {0.0, 0.37, 0.8}) {
+    for (const double time : kTimes) {
       for (Renderer& renderer : renderers) renderer.pose(poseOf(model, time * durationOf(model)));
-      const Frame truth = drawWith(renderers[0], camera, exact, 192, 108);
-      const Frame own = drawWholeWith(renderers[1], camera, identity, 192, 108);
+      const Frame truth = drawWith(renderers[0], camera, exact, 96, 54);
+      const Frame own = drawWholeWith(renderers[1], camera, identity, 96, 54);
       const std::vector<float> hits = truth.plane("hit.T");
-      EXPECT_GT(std::count_if(hits.begin(), hits.end(), [](float t) { return t > 0; }), 200) << name;
-      for (const Frame& frame : {own, drawWholeWith(renderers[2], camera, bvh, 192, 108)}) {
+      EXPECT_GT(std::count_if(hits.begin(), hits.end(), [](float t) { return t > 0; }), 10) << name;
+      for (const Frame& frame : {own, drawWholeWith(renderers[2], camera, bvh, 96, 54)}) {
         const HitErrors errors = compareHits(frame, truth, model.scene.bounds().diagonal());
         EXPECT_EQ(errors.hitError, 0) << name << " at " << time;
-        EXPECT_EQ(errors.wrongId, 0) << name << " at " << time;
+        // The boxes of box_animated touch: of two triangles at one place either is right.
+        if (std::string(name) != "box_animated") {
+          EXPECT_EQ(errors.wrongId, 0) << name << " at " << time;
+        }
       }
     }
   }
@@ -267,6 +276,87 @@ TEST_F(GpuPose, OnlyWhatMovesIsPlacedAgain) {
   EXPECT_EQ(posed.change.scene.moved[0].count, 3u);
   EXPECT_EQ(posed.change.touched.size(), 2u) << "before and after";
   EXPECT_EQ(posed.positions()[3], glm::vec3(2, 0.5f, 0));
+}
+
+TEST_F(GpuPose, EveryKindOfInstanceIsPlacedAsInDoubles) {
+  // Rigid or skinned, with morph targets or without, with normals or flat, and mirrored later on.
+  Model model = rigged();
+  for (Instance& instance : model.rig.instances)
+    instance.targets = {{std::vector<glm::vec3>(3, {0.2f, 0, 0.1f}), {}, {}}};
+  for (const int k : {0, 1, 2}) {
+    const std::size_t from = static_cast<std::size_t>(k);
+    Instance copy = model.rig.instances[from];
+    copy.flatNormals = true;
+    if (k > 0) copy.targets.clear();
+    copy.firstVertex = static_cast<std::uint32_t>(model.scene.vertices.size());
+    copy.firstTriangle = static_cast<std::uint32_t>(model.scene.triangles.size());
+    addTriangle(model.scene, glm::vec3(0), glm::vec3(1, 0, 0), glm::vec3(0, 1, 0), 0);
+    model.rig.instances.push_back(copy);
+  }
+  model.rig.nodes[0].weights = model.rig.nodes[1].weights = {0.5f};
+  Animation animation{"mirror", 1, {}};
+  for (const int node : {0, 1, 2, 3})
+    animation.channels.push_back(
+        {node, AnimatedProperty::scale, Interpolation::linear, {0, 1}, {1, 1, 1, -1, 1.5f, 0.5f}});
+  model.rig.animations = {animation};
+  pose(model, evaluate(model.rig, {}));
+  for (const Posing posing : {Posing::gpu, Posing::cpu}) expectAsInDoubles(model, "all kinds", posing);
+}
+
+TEST_F(GpuPose, BoundsFollowFromThePoseAloneWhateverCameBefore) {
+  Model model = rigged();
+  const auto at = [&](double height) {
+    model.rig.nodes[1].translation = {0, height, 0};
+    return evaluate(model.rig, {});
+  };
+  Posed wandered(api, model), straight(api, model);
+  for (const double height : {40.0, -7.0, 0.0}) wandered.take(at(height));
+  const Bounds usual = straight.scene.extents.bounds();
+  EXPECT_EQ(wandered.scene.extents.bounds().high, usual.high);
+  EXPECT_EQ(wandered.scene.extents.bounds().low, usual.low);
+  for (const double height : {5.0, 5.001}) {
+    wandered.take(at(height));
+    straight.take(at(height));
+    EXPECT_EQ(wandered.scene.extents.bounds().high, straight.scene.extents.bounds().high);
+    EXPECT_EQ(wandered.scene.extents.core().bounds.high, straight.scene.extents.core().bounds.high);
+    EXPECT_GT(straight.scene.extents.bounds().high.y, 6);
+  }
+}
+
+TEST_F(GpuPose, LightsFollowTheirNodesAndKeepWhatThePlayerSets) {
+  Model model = rigged();
+  Light light;
+  light.type = LightType::point;
+  light.intensity = 40;
+  light.position = {2, 1, 3};
+  model.scene.lights = {light};
+  model.rig.nodes.emplace_back().translation = {2, 1, 3};
+  model.rig.lightNodes = {4};
+  const Settings settings = settingsWith({{"select.mode", "none"}, {"shadow.sky_directions", "0"}});
+  const Camera& camera = model.scene.cameras[0];
+  Renderer renderer = makeRenderer(model.scene);
+  renderer.setModel(model);
+  const auto picture = [&] { return drawWith(renderer, camera, settings, 96, 54).plane("R"); };
+  const auto truth = [&](Model posed) {
+    pose(posed, evaluate(posed.rig, {}));
+    return draw(posed.scene, camera, settings, 96, 54).plane("R");
+  };
+  const auto differing = [](const std::vector<float>& a, const std::vector<float>& b) {
+    int count = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) count += std::abs(a[i] - b[i]) > 0.02f * b[i];
+    return count;
+  };
+  renderer.pose(evaluate(model.rig, {}));
+  const std::vector<float> before = picture();
+  model.rig.nodes[4].translation = {1, 0.5, 2};
+  renderer.pose(evaluate(model.rig, {}));
+  const std::vector<float> moved = picture();
+  EXPECT_LT(differing(moved, truth(model)), 10);
+  EXPECT_GT(differing(moved, before), 60);
+  model.scene.lights[0].intensity = 80;  // the caller's copy is still where it was
+  renderer.update(model.scene, {.lights = true});
+  EXPECT_LT(differing(picture(), truth(model)), 10);
+  EXPECT_GT(differing(picture(), moved), 60);
 }
 
 TEST_F(GpuPose, APoseBeyondAllAnimationsWidensTheBounds) {
@@ -392,7 +482,7 @@ TEST_F(GpuPose, BindsAllThatItReads) {
   renderer.setModel(model);
   renderer.pose(evaluate(model.rig, {}));
   drawWith(renderer, model.scene.cameras[0], settingsWith({}), 64, 36);
-  EXPECT_EQ(audit.checks("pose"), 1u);
+  EXPECT_EQ(audit.checks("pose"), 2u) << "rigid and skinned";
   for (const std::string& complaint : audit.complaints()) ADD_FAILURE() << complaint;
 }
 

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include <halfsilver/bounds.h>
 #include <halfsilver/model.h>
 #include <halfsilver/scene_change.h>
 
@@ -40,6 +41,10 @@ std::vector<int> compatibleAnimations(const Rig& rig);
 // Throws Error (badInput) if vertices leave the range of floats.
 SceneChange pose(Model& model, const PoseState& state);
 SceneChange pose(Model& model, std::span<const Playing> playing);
+
+// Holds the scene as it is now and all that its animations make of it, one at a time and together; relative to
+// Scene::origin.
+Bounds animatedBounds(const Model& model);
 
 // A camera of the scene as it is in a pose: at its node, if it is attached to one. Throws Error (usage) for an unknown
 // one.

@@ -45,14 +45,16 @@ class SceneExtents {
   // measured: those that may use a moved vertex.
   std::size_t update(const Scene& scene, std::span<const VertexRange> moved);
 
-  // A posed part has come into a box: where that reaches beyond the part's own, the latter grows, by more than it must,
-  // so that it need not grow again soon.
-  void hold(std::size_t part, const Bounds& box);
+  // Where each posed part is now; an empty box: as before. Where one reaches beyond the part's own, bounds and core
+  // grow, in steps that double, so that they change seldom. They follow from the present boxes alone, not from earlier
+  // ones.
+  void hold(std::span<const Bounds> boxes);
 
   // The blocks whose triangles may use a vertex of the ranges, which are merged; ascending.
   std::vector<std::uint32_t> blocksUsing(std::span<const VertexRange> merged) const;
 
   const Bounds& bounds() const { return bounds_; }  // holds all triangles; without posed parts Scene::bounds()
+  const Bounds& usual() const { return usual_; }    // the same while no posed part leaves its own box
   const SceneCore& core() const { return core_; }
   std::span<const PosedPart> posed() const { return posed_; }
 
@@ -66,11 +68,14 @@ class SceneExtents {
   void forEachStill(const Scene& scene, std::size_t block, const Visit& visit) const;
   void measure(const Scene& scene, std::size_t block);
   void combine(const Scene& scene);
+  void findOuter(const Scene& scene, Bounds inner);
+  void grow();
   float largestThatStays(const Scene& scene) const;
 
   std::vector<PosedPart> posed_;
+  std::vector<Bounds> held_;  // of each posed part, at least its own
   std::vector<Block> blocks_;
-  Bounds bounds_;
+  Bounds bounds_, usual_, usualCore_;
   SceneCore core_;
 };
 

@@ -13,6 +13,10 @@
 // statistics share.
 namespace halfsilver {
 
+enum class Posing {
+  gpu,  // within 1e-5 of the scene's diagonal
+  cpu   // in double precision, the reference
+};
 enum class SelectMode { none, reflective, all };
 enum class SelectPattern {
   scattered,  // evenly over the screen
@@ -41,7 +45,8 @@ enum class Antialiasing {
 };
 
 struct SceneSettings {
-  bool cullBackFaces = true;  // single-sided materials are invisible from behind, to the camera and to rays
+  bool cullBackFaces = true;    // single-sided materials are invisible from behind, to the camera and to rays
+  Posing posing = Posing::gpu;  // what places the vertices of Renderer::pose(), from the next pose on
 
   bool operator==(const SceneSettings&) const = default;
 };

@@ -9,14 +9,12 @@
 #define SSBO_POSE_MATRICES 13  // PoseMatrix[]
 #define SSBO_POSE_GROUPS 14    // PoseGroup[]
 
-// Invocations per group: up to so many vertices of one instance.
+// Invocations per group: up to so many vertices of one instance, or triangles if it has flat normals.
 #define POSE_GROUP 64
 // Of a vertex in a morph target: changes of position, normal and tangent.
 #define MORPH_FLOATS 9
-#define NOT_SKINNED 0xffffffffu
 // PoseGroup::flags.
-#define POSE_FLAT_NORMALS 1u  // three vertices each are a triangle, whose normal they have
-#define POSE_TURNED 2u        // these triangles wind the other way round
+#define POSE_TURNED 1u  // flat triangles wind the other way round
 
 struct RestVertex {
   vec3 position;  // relative to the middle of the instance's rest positions
@@ -43,11 +41,11 @@ struct PoseMatrix {
 };
 
 struct PoseGroup {
-  uint first;       // vertex of the instance
-  uint count;       // vertices
-  uint vertex;      // of the scene: the instance's first
-  uint rest;        // likewise, and the next three
-  uint influences;  // or NOT_SKINNED
+  uint first;   // vertex or triangle of the instance
+  uint count;   // of these
+  uint vertex;  // of the scene: the instance's first
+  uint rest;    // likewise, and the next three
+  uint influences;
   uint matrix;
   uint morphWeights;
   uint morphCount;
