@@ -146,10 +146,10 @@ void renderPicture(const RenderRequest& request, const ViewArguments& arguments,
                    Progress& progress, WallClock& clock) {
   Outputs outputs(request.outputs);
   progress.show("loading " + request.view.scene);
-  Model model = loadPosedModel(request.view, arguments);
-  const Camera camera = chooseCamera(model.scene, arguments.camera);
+  PosedView view = loadView(request.view, arguments);
+  const Camera camera = chooseCamera(view, arguments.camera);
   clock.lap("load");
-  RenderJob job(request.view, arguments, settings, std::move(model), progress, clock);
+  RenderJob job(request.view, arguments, settings, std::move(view), progress, clock);
   RunStatistics& statistics = job.statistics;
 
   const int repeat = request.repeat.value_or(request.outputs.stats.empty() || request.samples > 1 ? 0 : 1);

@@ -8,17 +8,18 @@
 namespace halfsilver {
 namespace {
 
-RunStatistics describeRun(const ViewRequest& view, const ViewArguments& arguments, Settings settings,
-                          const Model& model) {
+RunStatistics describeRun(const ViewRequest& request, const ViewArguments& arguments, Settings settings,
+                          const PosedView& view) {
+  const Model& model = view.model;
   RunStatistics statistics;
   statistics.settings = std::move(settings);
-  statistics.sceneFile = view.scene;
+  statistics.sceneFile = request.scene;
   statistics.triangles = model.scene.triangles.size();
   statistics.vertices = model.scene.vertices.size();
   statistics.materials = model.scene.materials.size();
   statistics.textures = model.scene.textures.size();
   statistics.lights = model.scene.lights.size();
-  statistics.diagonal = model.scene.bounds().diagonal();
+  statistics.diagonal = view.bounds.diagonal();
   statistics.width = arguments.size.width;
   statistics.height = arguments.size.height;
   statistics.warnings = model.warnings;
@@ -27,19 +28,19 @@ RunStatistics describeRun(const ViewRequest& view, const ViewArguments& argument
 
 }  // namespace
 
-RenderJob::RenderJob(const ViewRequest& view, const ViewArguments& arguments, Settings settings, Model loaded,
+RenderJob::RenderJob(const ViewRequest& request, const ViewArguments& arguments, Settings settings, PosedView loaded,
                      Progress& progress, WallClock& clock)
-    : model(std::move(loaded)),
-      statistics(describeRun(view, arguments, std::move(settings), model)),
-      context(makeContext(contextKind(view.context))),
+    : view(std::move(loaded)),
+      statistics(describeRun(request, arguments, std::move(settings), view)),
+      context(makeContext(contextKind(request.context))),
       api(gl::Api::load(context.getProcAddress())),
       target(api, arguments.size),
-      renderer(context.getProcAddress(), exactFactory(model.scene, view.threads)) {
+      renderer(context.getProcAddress(), exactFactory(view.model.scene, request.threads)) {
   statistics.device = renderer.device();
   statistics.context = context.name();
   clock.lap("context");
   progress.show("uploading " + std::to_string(statistics.triangles) + " triangles");
-  renderer.setScene(model.scene);
+  show(view, renderer);
   clock.lap("upload");
 }
 

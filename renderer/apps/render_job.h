@@ -13,14 +13,14 @@
 
 namespace halfsilver {
 
-// All that drawing a scene without a window takes: the model, a context, a target and a renderer that holds the scene.
+// All that drawing a scene without a window takes: the view, a context, a target and a renderer that holds the scene.
 struct RenderJob {
   // Loads and uploads. Throws Error: badInput, noContext.
-  RenderJob(const ViewRequest& view, const ViewArguments& arguments, Settings settings, Model loaded,
+  RenderJob(const ViewRequest& view, const ViewArguments& arguments, Settings settings, PosedView loaded,
             Progress& progress, WallClock& clock);
   RenderJob(const RenderJob&) = delete;
 
-  Model model;
+  PosedView view;
   RunStatistics statistics;
   Context context;
   gl::Api api;

@@ -27,25 +27,24 @@ std::string animationName(const std::vector<Animation>& animations, std::size_t 
   return std::to_string(index) + " '" + animations[index].name + "'";
 }
 
-const Camera& cameraByName(const Scene& scene, const std::string& name) {
-  const auto found = std::find_if(scene.cameras.begin(), scene.cameras.end(),
-                                  [&](const Camera& camera) { return camera.name == name; });
-  if (found != scene.cameras.end()) return *found;
-  if (const auto index = indexOf(name); index && *index < scene.cameras.size()) return scene.cameras[*index];
+const Camera& cameraByName(std::span<const Camera> cameras, const std::string& name) {
+  const auto found =
+      std::find_if(cameras.begin(), cameras.end(), [&](const Camera& camera) { return camera.name == name; });
+  if (found != cameras.end()) return *found;
+  if (const auto index = indexOf(name); index && *index < cameras.size()) return cameras[*index];
   std::vector<std::string> names;
-  for (std::size_t i = 0; i < scene.cameras.size(); ++i)
-    names.push_back(std::to_string(i) + " '" + scene.cameras[i].name + "'");
+  for (std::size_t i = 0; i < cameras.size(); ++i) names.push_back(std::to_string(i) + " '" + cameras[i].name + "'");
   reject("unknown camera '" + name + "'; " + (names.empty() ? "the scene has none" : "known are " + listNames(names)));
 }
 
-Camera cameraFromWorld(const Scene& scene, const glm::dvec3& eye, const glm::dvec3& target) {
+Camera cameraFromWorld(const glm::dvec3& origin, const glm::dvec3& eye, const glm::dvec3& target) {
   const glm::dvec3 direction = target - eye;
   const double length = glm::length(direction);
   if (!(length > 0) || !std::isfinite(length)) reject("--eye and --target are the same point or too far apart");
   Camera camera;
   camera.name = "command line";
-  camera.eye = glm::vec3(eye - scene.origin);
-  camera.target = glm::vec3(target - scene.origin);
+  camera.eye = glm::vec3(eye - origin);
+  camera.target = glm::vec3(target - origin);
   // If the view is straight up or down, the top of the picture is -z, as on a map.
   if (std::abs(direction.y) > 0.9999 * length) camera.up = glm::vec3(0, 0, -1);
   return camera;
@@ -74,21 +73,26 @@ void applyMirrors(Scene& scene, std::span<const MirrorArgument> mirrors) {
   }
 }
 
-Camera chooseCamera(const Scene& scene, const CameraRequest& request) {
+Camera chooseCamera(std::span<const Camera> cameras, const Bounds& bounds, const glm::dvec3& origin,
+                    const CameraRequest& request) {
   if (request.eye.has_value() != request.target.has_value()) reject("--eye and --target must be given together");
   if (request.eye && !request.name.empty()) reject("--camera and --eye cannot be combined");
   Camera camera;
   if (request.eye)
-    camera = cameraFromWorld(scene, *request.eye, *request.target);
+    camera = cameraFromWorld(origin, *request.eye, *request.target);
   else if (!request.name.empty())
-    camera = cameraByName(scene, request.name);
+    camera = cameraByName(cameras, request.name);
   else
-    camera = scene.cameras.empty() ? frameAll(scene.bounds()) : scene.cameras.front();
+    camera = cameras.empty() ? frameAll(bounds) : cameras.front();
   if (request.fov) {
     if (!(*request.fov > 0 && *request.fov < 180)) reject("--fov must be between 0 and 180 degrees");
     camera.verticalFov = static_cast<float>(glm::radians(*request.fov));
   }
   return camera;
+}
+
+Camera chooseCamera(const Scene& scene, const CameraRequest& request) {
+  return chooseCamera(scene.cameras, scene.bounds(), scene.origin, request);
 }
 
 std::vector<int> chooseAnimations(const Rig& rig, const std::string& name, std::vector<std::string>& warnings) {

@@ -24,8 +24,12 @@ struct CameraRequest {
   std::optional<double> fov;              // vertical, degrees; also changes a camera of the scene
 };
 
-// Throws Error (usage): unknown camera (listing the known ones), eye without target or equal to it, fov not between 0
-// and 180.
+// One of the cameras, which are relative to `origin` as the bounds are; if there is none and none is asked for, one
+// that shows the bounds. Throws Error (usage): unknown camera (listing the known ones), eye without target or equal to
+// it, fov not between 0 and 180.
+Camera chooseCamera(std::span<const Camera> cameras, const Bounds& bounds, const glm::dvec3& origin,
+                    const CameraRequest& request);
+// One of the scene at rest.
 Camera chooseCamera(const Scene& scene, const CameraRequest& request);
 
 // The animations that --animation names: "all" or nothing for all that do not conflict, else one by name or index. A

@@ -104,22 +104,23 @@ void renderSequence(const SequenceRequest& request, Progress& progress, WallCloc
   }
 
   progress.show("loading " + request.view.scene);
-  Model loaded = loadModel(request.view, request.arguments);
-  const std::vector<int> animations = chooseAnimations(request.view, loaded);
-  const auto secondsOf = [&](int frame) { return frame / request.range.framesPerSecond; };
-  pose(loaded, playTogether(animations, secondsOf(frames.front())));
-  static_cast<void>(
-      chooseCamera(loaded.scene, request.arguments.camera));  // an unknown one is found out before the rest
+  PosedView loaded{loadModel(request.view, request.arguments), {}, {}};
+  const std::vector<int> animations = chooseAnimations(request.view, loaded.model);
+  const auto playingAt = [&](int frame) { return playTogether(animations, frame / request.range.framesPerSecond); };
+  loaded.state = evaluate(loaded.model.rig, playingAt(frames.front()));
+  loaded.bounds = animatedBounds(loaded.model);
+  static_cast<void>(chooseCamera(loaded, request.arguments.camera));  // an unknown one is found out before the rest
   clock.lap("load");
   Settings settings = request.settings;
   settings.image.motion = settings.image.motion || !request.outputs.layers.empty();
   RenderJob job(request.view, request.arguments, settings, std::move(loaded), progress, clock);
 
   // Motion is that since the frame before: if that one was not drawn, it is drawn now and not kept.
-  const auto show = [&](int frame, int samples, FrameReport& report) {
-    job.renderer.update(job.model.scene, pose(job.model, playTogether(animations, secondsOf(frame))));
-    drawFirstFrame(job.renderer, chooseCamera(job.model.scene, request.arguments.camera), settings, job.target.target(),
-                   report, samples);
+  const auto draw = [&](int frame, int samples, FrameReport& report) {
+    job.view.state = evaluate(job.view.model.rig, playingAt(frame));
+    job.renderer.pose(*job.view.state);
+    return drawFirstFrame(job.renderer, chooseCamera(job.view, request.arguments.camera), settings, job.target.target(),
+                          report, samples);
   };
   std::optional<int> drawn;
   std::vector<std::string> warnings = job.statistics.warnings;
@@ -129,10 +130,14 @@ void renderSequence(const SequenceRequest& request, Progress& progress, WallCloc
     Outputs outputs(numbered(request.outputs, frame));
     RunStatistics statistics = job.statistics;
     statistics.samples = request.samples;
-    if (settings.image.motion && frame > 0 && drawn != frame - 1) show(frame - 1, 1, statistics.report);
-    show(frame, request.samples, statistics.report);
+    const bool moves = settings.image.motion && frame > 0;
+    if (moves && drawn != frame - 1) draw(frame - 1, 1, statistics.report);
+    if (draw(frame, request.samples, statistics.report) > 1 && moves) {
+      // Drawn again it stood still.
+      draw(frame - 1, 1, statistics.report);
+      draw(frame, request.samples, statistics.report);
+    }
     drawn = frame;
-    statistics.diagonal = job.model.scene.bounds().diagonal();
     statistics.firstFrame = frame == frames.front();
     StageTimes times;
     times.add(statistics.report.times);

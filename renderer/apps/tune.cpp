@@ -215,16 +215,16 @@ void tune(const TuneRequest& request) {
 
   Progress progress;
   progress.show("loading " + request.view.scene);
-  const Model model = loadPosedModel(request.view, arguments);
-  const Camera camera = chooseCamera(model.scene, arguments.camera);
+  const PosedView view = loadView(request.view, arguments);
+  const Camera camera = chooseCamera(view, arguments.camera);
   const Context context = makeContext(contextKind(request.view.context));
   const gl::Api api = gl::Api::load(context.getProcAddress());
   const OffscreenTarget target(api, arguments.size);
-  Renderer renderer(context.getProcAddress(), exactFactory(model.scene, request.view.threads));
-  renderer.setScene(model.scene);
+  Renderer renderer(context.getProcAddress(), exactFactory(view.model.scene, request.view.threads));
+  show(view, renderer);
 
   progress.show("reference");
-  Measurement measurement(renderer, camera, target.target(), model.scene.bounds().diagonal());
+  Measurement measurement(renderer, camera, target.target(), view.bounds.diagonal());
   const FrameReport truth = measurement.drawReference(ladders.front().front().settings);
   if (truth.selected == 0)
     throw Error(ErrorKind::badInput,
@@ -239,7 +239,7 @@ void tune(const TuneRequest& request) {
   report.context = context.name();
   report.width = arguments.size.width;
   report.height = arguments.size.height;
-  report.triangles = model.scene.triangles.size();
+  report.triangles = view.model.scene.triangles.size();
   report.coverage = static_cast<double>(truth.selected) / static_cast<double>(truth.pixels);
   report.maxError = request.maxError;
   report.choice = search.choose();
@@ -248,7 +248,7 @@ void tune(const TuneRequest& request) {
   output.write(tuneConfig(report));
 
   progress.clear();
-  for (const std::string& warning : model.warnings) std::cerr << "warning: " << warning << '\n';
+  for (const std::string& warning : view.model.warnings) std::cerr << "warning: " << warning << '\n';
   // The table comes first: if it cannot be written the run fails, and a failed run leaves no files.
   if (!(std::cout << tuneTable(report) << std::flush)) throw Error(ErrorKind::failed, "cannot write the table");
   output.commit();

@@ -1,8 +1,9 @@
 #include "apps/view_request.h"
 
+#include <cstddef>
+
 #include <halfsilver/error.h>
 #include <halfsilver/io.h>
-#include <halfsilver/pose.h>
 
 namespace halfsilver {
 
@@ -73,13 +74,29 @@ std::vector<int> chooseAnimations(const ViewRequest& request, Model& model) {
   return chooseAnimations(model.rig, request.animation, model.warnings);
 }
 
-Model loadPosedModel(const ViewRequest& request, const ViewArguments& arguments) {
-  Model model = loadModel(request, arguments);
-  if (request.time)
-    pose(model, playTogether(chooseAnimations(request, model), *request.time));
-  else if (!request.animation.empty())
+PosedView loadView(const ViewRequest& request, const ViewArguments& arguments) {
+  if (!request.time && !request.animation.empty())
     throw Error(ErrorKind::usage, "--animation needs --time or --frames");
-  return model;
+  PosedView view{loadModel(request, arguments), {}, {}};
+  if (request.time)
+    view.state = evaluate(view.model.rig, playTogether(chooseAnimations(request, view.model), *request.time));
+  const Bounds rest = view.model.scene.bounds();
+  // What is a point or nothing at rest is framed as it will be.
+  view.bounds = view.state || !(rest.diagonal() > 0) ? animatedBounds(view.model) : rest;
+  return view;
+}
+
+Camera chooseCamera(const PosedView& view, const CameraRequest& request) {
+  std::vector<Camera> cameras = view.model.scene.cameras;
+  if (view.state)
+    for (std::size_t i = 0; i < cameras.size(); ++i) cameras[i] = posedCamera(view.model, *view.state, i);
+  return chooseCamera(cameras, view.bounds, view.model.scene.origin, request);
+}
+
+void show(const PosedView& view, Renderer& renderer) {
+  if (!view.state) return renderer.setScene(view.model.scene);
+  renderer.setModel(view.model);
+  renderer.pose(*view.state);
 }
 
 }  // namespace halfsilver

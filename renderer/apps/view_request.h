@@ -5,7 +5,10 @@
 #include <string>
 #include <vector>
 
+#include <halfsilver/bounds.h>
 #include <halfsilver/model.h>
+#include <halfsilver/pose.h>
+#include <halfsilver/renderer.h>
 #include <halfsilver/settings.h>
 #include "apps/arguments.h"
 #include "apps/scene_input.h"
@@ -48,10 +51,23 @@ void applyOverrides(Settings& settings, const ViewRequest& request);
 // Loads the scene with its mirrors and sky, at rest. Throws Error (badInput; usage for an unknown material).
 Model loadModel(const ViewRequest& request, const ViewArguments& arguments);
 
+// A scene and the pose that is drawn of it.
+struct PosedView {
+  Model model;                     // at rest
+  std::optional<PoseState> state;  // nothing: the rest
+  Bounds bounds;                   // of what is drawn: with a pose, of all that the animations do
+};
+
+// With the pose at --time, if that is given. Throws Error: as loadModel(), and usage for an unknown animation.
+PosedView loadView(const ViewRequest& request, const ViewArguments& arguments);
+
+// As in the pose; if the scene has none and none is asked for, one that shows the bounds.
+Camera chooseCamera(const PosedView& view, const CameraRequest& request);
+
+// Uploads the scene. It is posed on the GPU, or where scene.posing says.
+void show(const PosedView& view, Renderer& renderer);
+
 // The animations that the request plays; warns if there are none although a time is asked for.
 std::vector<int> chooseAnimations(const ViewRequest& request, Model& model);
-
-// The same as loadModel(), posed at --time if that is given.
-Model loadPosedModel(const ViewRequest& request, const ViewArguments& arguments);
 
 }  // namespace halfsilver

@@ -1,9 +1,14 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <string>
+#include <vector>
 
 #include <halfsilver/io.h>
+#include <halfsilver/pose.h>
 #include "program.h"
 #include "shared_scenes.h"
 
@@ -18,6 +23,9 @@ std::filesystem::path sharedCase(const std::string& name) {
 #define REQUIRE_CASES() \
   if (!std::filesystem::exists(sharedCase("b04_step_tenths"))) GTEST_SKIP() << "shared cases are absent"
 
+// Both ways of posing.
+const std::string kPosings[] = {"--set scene.posing=gpu ", "--set scene.posing=cpu "};
+
 Image layersAt(const std::string& name, const std::string& options) {
   const TemporaryFolder folder;
   const ProgramResult result =
@@ -25,6 +33,26 @@ Image layersAt(const std::string& name, const std::string& options) {
                                " --preset deferred --size 320x180 -o a.png --layers l.exr " + options);
   EXPECT_EQ(result.exitCode, 0) << result.err;
   return result.exitCode == 0 ? readImage(folder / "l.exr").image : Image{};
+}
+
+// The layers of an image sequence.
+std::vector<Image> framesOf(const std::filesystem::path& scene, const std::string& options,
+                            const std::string& how = "--preset deferred --size 320x180 ") {
+  const TemporaryFolder folder;
+  const ProgramResult result =
+      runProgramIn(folder, "render " + scene.string() + " -o a.##.png --layers l.##.exr " + how + options);
+  EXPECT_EQ(result.exitCode, 0) << result.err;
+  std::vector<Image> frames;
+  for (const std::string& name : filesIn(folder))
+    if (name.ends_with(".exr")) frames.push_back(readImage(folder / name).image);
+  return frames;
+}
+
+std::vector<float> planeOf(const Image& image, const std::string& channel) {
+  std::vector<float> plane;
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x) plane.push_back(valueAt(image, channel, x, y));
+  return plane;
 }
 
 float depthAtCenter(const std::string& name, const std::string& options) {
@@ -49,34 +77,49 @@ float columnOf(const Image& layers, float from = 0, float to = 1) {
 
 TEST(Motion, WindingFollowsTheDeterminantAtTheTimeThatIsDrawn) {
   REQUIRE_CASES();
-  for (const char* time : {"0", "0.3", "1", "1.5", "2"})
-    for (const char* name : {"b01_animated_mirror", "b01_unmirrored_by_animation"})
-      EXPECT_NEAR(depthAtCenter(name, std::string("--time ") + time), 2.5f, 1e-4f) << name << " at " << time;
+  for (const std::string& posing : kPosings)
+    for (const char* name : {"b01_animated_mirror", "b01_unmirrored_by_animation"}) {
+      // All but frame 2, at which the cube is flat.
+      const std::vector<Image> frames = framesOf(sharedCase(name), posing + "--frames 0..8 --fps 4");
+      ASSERT_EQ(frames.size(), 9u);
+      for (const int frame : {0, 1, 3, 4, 5, 6, 7, 8})
+        EXPECT_NEAR(valueAt(frames[static_cast<std::size_t>(frame)], "depth.Z", 160, 90), 2.5f, 1e-4f)
+            << name << ", frame " << frame << ' ' << posing;
+    }
 }
 
 TEST(Motion, ASkinUnderAMirroredArmatureShowsItsFront) {
   REQUIRE_CASES();
-  EXPECT_NEAR(depthAtCenter("b02_skin_mirrored_armature", ""), 2.5f, 1e-4f);
-  EXPECT_NEAR(depthAtCenter("b02_skin_plain_armature", ""), 2.5f, 1e-4f);
+  for (const char* name : {"b02_skin_mirrored_armature", "b02_skin_plain_armature"}) {
+    EXPECT_NEAR(depthAtCenter(name, ""), 2.5f, 1e-4f) << name;
+    for (const std::string& posing : kPosings)
+      EXPECT_NEAR(depthAtCenter(name, posing + "--time 0"), 2.5f, 1e-4f) << name << ' ' << posing;
+  }
 }
 
 TEST(Motion, WhatIsDegenerateAtRestShowsInALaterPose) {
   REQUIRE_CASES();
   for (const char* name :
        {"b03_scale_from_zero", "b03_morph_from_nothing", "b03_joint_from_zero", "b03_scale_from_zero_alone"})
-    EXPECT_NEAR(depthAtCenter(name, "--time 1.5"), 2.5f, 1e-4f) << name;
+    for (const std::string& posing : kPosings)
+      EXPECT_NEAR(depthAtCenter(name, posing + "--time 1.5"), 2.5f, 1e-4f) << name << ' ' << posing;
   EXPECT_EQ(depthAtCenter("b03_scale_from_zero_alone", ""), 0) << "empty at rest, and a picture all the same";
 }
 
 TEST(Motion, AStepHoldsFromTheTimeOfItsKeyOn) {
   REQUIRE_CASES();
+  for (const std::string& posing : kPosings) {
+    const std::vector<Image> tenths = framesOf(sharedCase("b04_step_tenths"), posing + "--frames 0..10 --fps 10");
+    ASSERT_EQ(tenths.size(), 11u);
+    const float middle = columnOf(tenths.front());
+    const float whole = columnOf(tenths.back()) - middle;
+    ASSERT_GT(whole, 40);
+    for (std::size_t tenth = 1; tenth < 10; ++tenth)
+      EXPECT_NEAR(columnOf(tenths[tenth]) - middle, whole * static_cast<float>(tenth) / 10, 1.5f)
+          << tenth << ' ' << posing;
+  }
   const float middle = columnOf(layersAt("b04_step_tenths", "--time 0"));
-  const float whole = columnOf(layersAt("b04_step_tenths", "--time 1")) - middle;
-  ASSERT_GT(whole, 40);
-  for (int tenth = 1; tenth < 10; ++tenth)
-    EXPECT_NEAR(columnOf(layersAt("b04_step_tenths", "--time 0." + std::to_string(tenth))) - middle,
-                whole * static_cast<float>(tenth) / 10, 1.5f)
-        << tenth;
+  EXPECT_GT(columnOf(layersAt("b04_step_tenths", "--time 0.1")), middle + 4) << "as text has it";
 }
 
 TEST(Motion, TheDurationThatInfoPrintsIsTheLastPose) {
@@ -86,7 +129,8 @@ TEST(Motion, TheDurationThatInfoPrintsIsTheLastPose) {
     const ProgramResult info = runProgramIn(folder, "info --json " + sharedCase(name).string());
     ASSERT_EQ(info.exitCode, 0) << info.err;
     const std::string end = nlohmann::json::parse(info.out)["animations"][0]["duration"].dump();
-    EXPECT_GT(columnOf(layersAt(name, "--time " + end)), 200) << name << " at " << end;
+    for (const std::string& posing : kPosings)
+      EXPECT_GT(columnOf(layersAt(name, posing + "--time " + end)), 200) << name << " at " << end << ' ' << posing;
     EXPECT_LT(columnOf(layersAt(name, "--time 0")), 120) << name;
   }
 }
@@ -98,6 +142,14 @@ TEST(Motion, KeysBeforeZeroAreLeftOutWithAWarning) {
       folder, "render " + sharedCase("b23_negative_time").string() + " --preset deferred --size 64x36 -o a.png");
   EXPECT_EQ(still.exitCode, 0) << still.err;
   EXPECT_NE(still.err.find("do not increase from 0"), std::string::npos) << still.err;
+  // From its first valid key, at 0 s, it moves by a meter in a second.
+  const float start = columnOf(layersAt("b23_negative_time", "--time 0"));
+  EXPECT_NEAR(start, 160, 1);
+  for (const std::string& posing : kPosings) {
+    const float middle = columnOf(layersAt("b23_negative_time", posing + "--time 0.5")) - start;
+    EXPECT_NEAR(middle, 38, 4) << posing;
+    EXPECT_NEAR(columnOf(layersAt("b23_negative_time", posing + "--time 1")) - start, 2 * middle, 4) << posing;
+  }
 }
 
 TEST(Motion, AllAnimationsPlayUnlessOneIsNamed) {
@@ -115,7 +167,7 @@ TEST(Motion, AllAnimationsPlayUnlessOneIsNamed) {
   const auto [left, right] = heights("");
   EXPECT_GT(left, 0);
   EXPECT_EQ(left, right) << "both moved";
-  EXPECT_EQ(heights("--animation all"), std::pair(left, right));
+  EXPECT_EQ(heights("--animation all " + kPosings[1]), std::pair(left, right));
   const auto [named, still] = heights("--animation box0Action");
   EXPECT_EQ(named, left);
   EXPECT_GT(still, right + 10) << "the other one is at rest";
@@ -153,6 +205,68 @@ TEST(Motion, AnInterruptedSequenceGoesOnToTheSameFiles) {
   ASSERT_EQ(runProgramIn(folder, "render " + fox.string() + kQuickFox + "--time 0.75 -o c.png").exitCode, 0);
   EXPECT_TRUE(readText(folder / "a.0009.png") == readText(folder / "c.png"));
   expectDone("--frames 8..8 --overwrite -o b.####.png", "1 frames of 1 drawn");
+}
+
+TEST(Motion, TheDefaultHitsWhatExactRaysHitInEveryPose) {
+  const std::string quick =
+      "--size 64x48 --mirror '*=0.5' --set shadow.resolution=64 --set shadow.sky_directions=0 --frames 0..4 --fps 3 ";
+  std::size_t hits = 0;
+  for (const char* name : {"fox", "rigged_figure", "box_animated", "animated_morph_cube", "milk_truck", "desk_fan"}) {
+    const std::filesystem::path scene = testing::sharedScene(std::string(name) + ".glb");
+    HALFSILVER_REQUIRE_SCENE(scene);
+    const std::vector<Image> frames = framesOf(scene, quick, ""), truth = framesOf(scene, quick, "--preset reference ");
+    ASSERT_EQ(frames.size(), 5u);
+    ASSERT_EQ(truth.size(), 5u);
+    bool moves = false;
+    for (std::size_t frame = 0; frame < frames.size(); ++frame) {
+      const LayerComparison errors =
+          compareLayers(frames[frame], truth[frame], animatedBounds(loadGltf(scene)).diagonal());
+      EXPECT_EQ(errors.hitError, 0) << name << ", frame " << frame;
+      const std::vector<float> distances = planeOf(truth[frame], "hit.T");
+      hits +=
+          static_cast<std::size_t>(std::count_if(distances.begin(), distances.end(), [](float t) { return t > 0; }));
+      moves |= planeOf(frames[frame], "depth.Z") != planeOf(frames.front(), "depth.Z");
+    }
+    EXPECT_TRUE(moves) << name;
+  }
+  EXPECT_GT(hits, 500u);
+}
+
+TEST(Motion, MethodsThatDrawAFirstFrameAgainKeepItsMotionVectors) {
+  const std::filesystem::path fox = testing::sharedScene("fox.glb");
+  HALFSILVER_REQUIRE_SCENE(fox);
+  const std::string frame = kQuickFox + "--frames 3..3 ";
+  const Image again = framesOf(fox, frame, "--preset kastrati2017 ").at(0), truth = framesOf(fox, frame, "").at(0);
+  const std::vector<float> motion = planeOf(truth, "motion.X");
+  EXPECT_EQ(planeOf(again, "motion.X"), motion);
+  EXPECT_GT(std::count_if(motion.begin(), motion.end(), [](float x) { return std::abs(x) > 0.05f; }), 50);
+}
+
+// The cube that is nothing at rest, elsewhere and without a camera.
+TEST(Motion, WhatIsNothingAtRestIsFramedAndPreciseFarAway) {
+  REQUIRE_CASES();
+  nlohmann::json file = readJson(sharedCase("b03_scale_from_zero_alone"));
+  file["nodes"][1]["translation"] = {1e6, 0, 0};
+  file["scenes"][0]["nodes"] = {1};
+  const TemporaryFolder folder;
+  std::ofstream(folder / "far.gltf") << file;
+  const std::string deferred = "render far.gltf --preset deferred --size 320x180 -o a.png --layers l.exr ";
+  for (const std::string& posing : kPosings) {
+    ASSERT_EQ(runProgramIn(folder, deferred + "--time 1.5 " + posing).exitCode, 0);
+    const Image framed = readImage(folder / "l.exr").image;
+    const std::vector<float> depth = planeOf(framed, "depth.Z");
+    const auto covered = std::count_if(depth.begin(), depth.end(), [](float z) { return z > 0; });
+    EXPECT_GT(covered, 1000);
+    EXPECT_LT(covered, 30000);
+    ASSERT_EQ(runProgramIn(folder, deferred + "--time 1.5 --eye 1000000,0,3 --target 1000000,0,0 " + posing).exitCode,
+              0);
+    EXPECT_NEAR(valueAt(readImage(folder / "l.exr").image, "depth.Z", 160, 90), 2.5f, 1e-5f) << posing;
+    const std::vector<float> left = planeOf(readImage(folder / "l.exr").image, "depth.Z");
+    std::size_t mirrored = 0;
+    for (std::size_t y = 0; y < 180; ++y)
+      for (std::size_t x = 0; x < 160; ++x) mirrored += (left[320 * y + x] > 0) == (left[320 * y + 319 - x] > 0);
+    EXPECT_EQ(mirrored, 180u * 160u) << "its edges are where they belong " << posing;
+  }
 }
 
 TEST(Motion, WrongSequencesAreRefusedInOneLine) {

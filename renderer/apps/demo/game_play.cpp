@@ -58,12 +58,6 @@ void GamePlay::step(const Controls& controls, double seconds) {
   }
 }
 
-SceneChange GamePlay::update() {
-  SceneChange change = pose(game_.model(), game_.poseState());
-  change.add(game_.takeChange());
-  return change;
-}
-
 std::vector<std::string> GamePlay::status() const {
   const Hud hud = game_.hud();
   std::string line =

@@ -26,7 +26,8 @@ class GamePlay final : public Play {
 
   Model& model() override { return game_.model(); }
   void step(const Controls& controls, double seconds) override;
-  SceneChange update() override;
+  SceneChange takeChange() override { return game_.takeChange(); }
+  const PoseState& poseState() const override { return game_.poseState(); }
   Camera camera() const override { return game_.camera(); }
   std::vector<std::string> status() const override;
   void finish() override;

@@ -153,7 +153,11 @@ class Interactive {
 
   // What was clicked, or everything.
   Bounds selection() {
-    const Scene& scene = session_.playing().model().scene;
+    Model& model = session_.playing().model();
+    const Scene& scene = model.scene;
+    const std::vector<Light> lights = scene.lights;  // as the player has set them
+    pose(model, session_.playing().poseState());
+    model.scene.lights = lights;
     if (!clicked_) return scene.bounds();
     Bounds bounds;
     for (const Triangle& triangle : scene.triangles)
@@ -222,8 +226,7 @@ class Interactive {
     attempt([&] {
       const std::filesystem::path name = freeName(".exr");
       AtomicFile file(name);
-      file.write(
-          encodeExr(session_.view().renderer().readLayers(), session_.playing().model().scene.bounds().diagonal()));
+      file.write(encodeExr(session_.view().renderer().readLayers(), session_.diagonal()));
       file.commit();
       return "saved " + name.string();
     });

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <halfsilver/model.h>
+#include <halfsilver/pose.h>
 #include <halfsilver/scene_change.h>
 #include "apps/demo/controls.h"
 
@@ -14,11 +15,13 @@ class Play {
  public:
   virtual ~Play() = default;
 
-  virtual Model& model() = 0;
+  virtual Model& model() = 0;  // vertices as at rest
   // Time passes, in seconds; 0 while it is frozen.
   virtual void step(const Controls& controls, double seconds) = 0;
-  // Poses the model for the next frame and says what changed.
-  virtual SceneChange update() = 0;
+  // What changed of the model's lights, sky and materials since the last call.
+  virtual SceneChange takeChange() { return {}; }
+  // Where everything is now.
+  virtual const PoseState& poseState() const = 0;
   virtual Camera camera() const = 0;
   // What the player should know, a line each.
   virtual std::vector<std::string> status() const { return {}; }

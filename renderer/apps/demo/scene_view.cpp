@@ -5,9 +5,16 @@
 namespace halfsilver::demo {
 
 SceneView::SceneView(const gl::Api& api, const std::function<Renderer::Proc(const char*)>& getProcAddress,
-                     const Scene& scene, int threads)
-    : api_(&api), renderer_(getProcAddress, exactFactory(scene, threads)) {
-  renderer_.setScene(scene);
+                     const Model& model, int threads)
+    : api_(&api), renderer_(getProcAddress, exactFactory(model.scene, threads)) {
+  renderer_.setModel(model);
+}
+
+void SceneView::pose(const PoseState& state) {
+  if (state.world == state_.world && state.weights == state_.weights) return;
+  renderer_.pose(state);
+  state_ = state;
+  drawn_.reset();
 }
 
 void SceneView::update(const Scene& scene, const SceneChange& change) {

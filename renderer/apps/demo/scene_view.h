@@ -13,10 +13,11 @@ namespace halfsilver::demo {
 // A renderer with a picture of its own, which the window or a file shows.
 class SceneView {
  public:
-  // The scene must outlive it.
-  SceneView(const gl::Api& api, const std::function<Renderer::Proc(const char*)>& getProcAddress, const Scene& scene,
+  // The model must outlive it.
+  SceneView(const gl::Api& api, const std::function<Renderer::Proc(const char*)>& getProcAddress, const Model& model,
             int threads);
 
+  void pose(const PoseState& state);
   void update(const Scene& scene, const SceneChange& change);
   // Draws a picture of that size, which replaces the last one. If nothing has changed since, it becomes the mean of up
   // to `samples` frames, one more with each call.
@@ -31,6 +32,7 @@ class SceneView {
  private:
   const gl::Api* api_;
   Renderer renderer_;
+  PoseState state_;  // that was posed last
   Size size_;
   // What the picture was drawn with, and how many samples it has; none: something has changed since.
   std::optional<std::pair<Camera, Settings>> drawn_;

@@ -18,22 +18,29 @@ Session::Session(const gl::Api& api, Proc getProcAddress, int threads)
     : api_(&api), getProcAddress_(std::move(getProcAddress)), threads_(threads) {}
 
 void Session::play(std::unique_ptr<Play> next, const Size& size, const Options& options) {
-  auto view = std::make_unique<SceneView>(*api_, getProcAddress_, next->model().scene, threads_);
+  auto view = std::make_unique<SceneView>(*api_, getProcAddress_, next->model(), threads_);
+  view->pose(next->poseState());
   view->draw(next->camera(), settingsOf(options.settings, options), size);
   backdrops_.clear();
   second_.reset();
   view_ = std::move(view);  // before the scene that the old one refers to goes
   play_ = std::move(next);
+  diagonal_ = animatedBounds(play_->model()).diagonal();
 }
 
 SceneView& Session::second() {
-  if (!second_) second_ = std::make_unique<SceneView>(*api_, getProcAddress_, play_->model().scene, threads_);
+  if (!second_) {
+    second_ = std::make_unique<SceneView>(*api_, getProcAddress_, play_->model(), threads_);
+    second_->pose(play_->poseState());
+  }
   return *second_;
 }
 
 void Session::advance(const Controls& controls, double seconds) {
   play_->step(controls, seconds);
-  update(play_->update());
+  update(play_->takeChange());
+  view_->pose(play_->poseState());
+  if (second_) second_->pose(play_->poseState());
 }
 
 void Session::update(const SceneChange& change) {
@@ -114,8 +121,7 @@ void Session::showFalseColors(const Size& size, const Camera& camera, const Opti
     exact = second().renderer().readLayers();
   }
   const Image layers = view_->renderer().readLayers();
-  colors_ =
-      falseColors(options.view, layers, exact.width > 0 ? &exact : nullptr, play_->model().scene.bounds().diagonal());
+  colors_ = falseColors(options.view, layers, exact.width > 0 ? &exact : nullptr, diagonal_);
   if (!falseColors_ || falseColors_.shape().width != size.width || falseColors_.shape().height != size.height)
     falseColors_ = gl::Texture(*api_, {.format = GL_RGBA8, .width = size.width, .height = size.height}, "false colors");
   api_->TextureSubImage2D(falseColors_.name(), 0, 0, 0, size.width, size.height, GL_RGBA, GL_UNSIGNED_BYTE,

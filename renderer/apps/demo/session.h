@@ -36,6 +36,7 @@ class Session {
   // Draws a window's picture at a share of its size. Returns what it took; `report` is the latest one that has arrived,
   // unless `wait`.
   FrameFigures draw(const Size& window, double scale, const Options& options, bool wait);
+  double diagonal() const { return diagonal_; }  // of all that the scene does, meters
   // What the player should know, a line each.
   std::vector<std::string> status(const Options& options) const;
   // The structure's cells over the picture, if the options ask for them. Waits for the GPU.
@@ -59,6 +60,7 @@ class Session {
   std::vector<Backdrop> backdrops_;
   FrameReport report_;
   int frame_ = 0;
+  double diagonal_ = 0;
 };
 
 }  // namespace halfsilver::demo

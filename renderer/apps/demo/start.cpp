@@ -50,9 +50,12 @@ std::unique_ptr<Play> makeViewer(const Request& request, const std::string& scen
   ViewRequest view = request.view;
   view.scene = scene;
   const ViewArguments arguments = checkView(view);
-  Model model = loadPosedModel(view, arguments);
-  const Camera camera = chooseCamera(model.scene, arguments.camera);
-  return std::make_unique<Viewer>(std::move(model), camera);
+  PosedView loaded = loadView(view, arguments);
+  loaded.bounds = animatedBounds(loaded.model);
+  const Camera camera = chooseCamera(loaded, arguments.camera);
+  auto viewer = std::make_unique<Viewer>(std::move(loaded.model), camera, loaded.bounds);
+  viewer->seconds = view.time.value_or(0);
+  return viewer;
 }
 
 std::unique_ptr<Play> makePlay(const Request& request) {

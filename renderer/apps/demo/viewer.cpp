@@ -6,18 +6,16 @@
 
 namespace halfsilver::demo {
 
-Viewer::Viewer(Model model, const Camera& start)
-    : model_(std::move(model)), camera_(start, model_.scene.bounds()), playing_(compatibleAnimations(model_.rig)) {}
+Viewer::Viewer(Model model, const Camera& start, const Bounds& bounds)
+    : model_(std::move(model)),
+      camera_(start, bounds),
+      playing_(compatibleAnimations(model_.rig)),
+      state_(evaluate(model_.rig, {})) {}
 
 void Viewer::step(const Controls& controls, double elapsed) {
   camera_.follow(controls, elapsed, windowHeight_);
   if (!paused) seconds += elapsed;
-}
-
-SceneChange Viewer::update() {
-  if (playing_.empty() || posed_ == seconds) return {};
-  posed_ = seconds;
-  return pose(model_, playTogether(playing_, seconds));
+  if (!playing_.empty()) state_ = evaluate(model_.rig, playTogether(playing_, seconds));
 }
 
 std::vector<std::string> Viewer::status() const { return {model_.scene.name}; }
@@ -25,7 +23,6 @@ std::vector<std::string> Viewer::status() const { return {model_.scene.name}; }
 void Viewer::choose(int animation) {
   chosen_ = animation;
   playing_ = animation < 0 ? compatibleAnimations(model_.rig) : std::vector<int>{animation};
-  posed_ = -1;
 }
 
 double Viewer::duration() const {

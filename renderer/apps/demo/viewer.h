@@ -13,11 +13,12 @@ namespace halfsilver::demo {
 // Any scene, with its animations.
 class Viewer final : public Play {
  public:
-  Viewer(Model model, const Camera& start);
+  // `bounds`: of all that it does.
+  Viewer(Model model, const Camera& start, const Bounds& bounds);
 
   Model& model() override { return model_; }
   void step(const Controls& controls, double elapsed) override;
-  SceneChange update() override;
+  const PoseState& poseState() const override { return state_; }
   Camera camera() const override { return camera_.camera(); }
   std::vector<std::string> status() const override;
   void setPivot(const glm::vec3& pivot) override { camera_.setPivot(pivot); }
@@ -37,7 +38,7 @@ class Viewer final : public Play {
   ViewerCamera camera_;
   int windowHeight_ = 1, chosen_ = -1;
   std::vector<int> playing_;
-  double posed_ = -1;  // the time of the last pose
+  PoseState state_;
 };
 
 // The scenes (.gltf, .glb) in the folder of a file, sorted; empty for what is no file.
