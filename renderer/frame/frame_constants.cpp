@@ -1,7 +1,9 @@
 #include "frame/frame_constants.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <glm/integer.hpp>
 
 #include <halfsilver/error.h>
 
@@ -71,6 +73,13 @@ Lens lensOf(const Camera& camera, const Bounds& bounds, int width, int height) {
   lens.depthScale = farPlane > 0 ? -nearPlane / (farPlane - nearPlane) : 0.0;
   lens.depthOffset = farPlane > 0 ? farPlane * nearPlane / (farPlane - nearPlane) : nearPlane;
   return lens;
+}
+
+// A coordinate of a sample, from its bits in reverse order. The factors are even, so only higher bits of the coordinate
+// decide whether one is flipped: strata stay strata (Owen 1995). The half bit brings the first sample to the center.
+float scrambled(std::uint32_t bits, const std::array<std::uint32_t, 2>& factors) {
+  for (const std::uint32_t factor : factors) bits ^= bits * factor;
+  return static_cast<float>((glm::bitfieldReverse(bits) ^ 0x80000000u) * 0x1p-32 - 0.5);
 }
 
 }  // namespace
@@ -148,16 +157,11 @@ CameraMatrices cameraMatrices(const Camera& camera, const Bounds& bounds, const 
 }
 
 glm::vec2 sampleOffset(std::uint32_t sample) {
-  // Bits of the number choose columns of the two generator matrices; the first half bit moves the first point from the
-  // corner to the center and keeps the sequence's strata.
-  std::uint32_t x = 0x80000000u, y = x, column = 0x80000000u;
-  for (std::uint32_t bit = 0; bit < 32; ++bit, column ^= column >> 1)
-    if (sample >> bit & 1) {
-      x ^= 0x80000000u >> bit;
-      y ^= column;
-    }
-  const double scale = 0x1p-32;
-  return glm::dvec2(x, y) * scale - 0.5;
+  // Bits of the number choose columns of the two generator matrices, here in reverse order.
+  std::uint32_t y = 0, column = 1;
+  for (std::uint32_t rest = sample; rest != 0; rest >>= 1, column ^= column << 1)
+    if (rest & 1) y ^= column;
+  return {scrambled(sample, {0x0a807a90, 0x58d51a04}), scrambled(y, {0x5be2e842, 0x58846908})};
 }
 
 float smallestHitDistance(const Bounds& bounds) {

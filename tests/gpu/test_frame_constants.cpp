@@ -62,6 +62,18 @@ TEST(SampleOffset, BeginsAtTheCenterAndFillsThePixelEvenly) {
   for (const int count : counts) EXPECT_EQ(count, 4);
 }
 
+// Otherwise few samples show a picture that is moved.
+TEST(SampleOffset, TheMeanOfTheFirstFewIsTheCenter) {
+  glm::dvec2 sum(0);
+  for (std::uint32_t count = 1; count <= 4096; ++count) {
+    const glm::vec2 at = sampleOffset(count - 1);
+    sum += glm::dvec2(at);
+    EXPECT_LT(glm::length(sum), 1.0) << count;
+    if (count < 4 || (count & (count - 1)) != 0) continue;
+    EXPECT_LT(glm::length(sum / static_cast<double>(count)), 1e-3) << count;
+  }
+}
+
 TEST(FrameConstants, LookingStraightDownWorksAndNonsenseIsRefused) {
   Camera camera;
   camera.eye = {0, 5, 0};
