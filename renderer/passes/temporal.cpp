@@ -41,7 +41,7 @@ void TemporalPass::follow(const FrameView& view, const RayBatch& batch, const gl
   const auto section = view.profiler.section("composite");
   program.use();
   view.bindRays(batch.rays);
-  view.scene.bindTriangles();
+  view.scene.bindSurfaces();
   batch.hits.hits.bindStorage(SSBO_HITS);
   previousPositions.bindStorage(SSBO_PREVIOUS_POSITIONS);
   constants_.bindUniform(UBO_PREVIOUS_FRAME);

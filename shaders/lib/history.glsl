@@ -45,13 +45,12 @@ struct Neighborhood {
   float count;
 };
 
-// The nearest to `history` on the line to the neighborhood's mean that lies within its spread.
-vec3 clipped(vec3 history, Neighborhood around, float deviations) {
-  vec3 mean = around.sum / around.count;
+// How far a history lies outside of a neighborhood's spread, in spreads: at most 1 inside.
+float strangeness(vec3 history, Neighborhood around, float deviations, out vec3 mean) {
+  mean = around.sum / around.count;
   vec3 spread = deviations * sqrt(max(around.squares / around.count - mean * mean, vec3(0.0))) + 1e-4;
-  vec3 away = history - mean, units = abs(away / spread);
-  float most = max(max(units.x, units.y), units.z);
-  return most > 1.0 ? mean + away / most : history;
+  vec3 units = abs((history - mean) / spread);
+  return max(max(units.x, units.y), units.z);
 }
 
 // Depths of a neighborhood, without those that are 0.

@@ -1,5 +1,6 @@
-// How far the image in a mirror has moved on the screen: the point that a pixel's ray has hit, mirrored in the plane of the
-// surface there, now and in the frame before. One invocation per first ray.
+// How far the image in a mirror has moved on the screen: where the mirror showed, in the frame before, the point that a
+// pixel's ray has hit. One invocation per first ray.
+#include "lib/curved_mirror.glsl"
 #include "lib/motion.glsl"
 #include "lib/pixel_triangle.glsl"
 #include "lib/queued_ray.glsl"
@@ -35,11 +36,14 @@ void main() {
 
   vec3 normal = texelFetch(gNormal, pixel, 0).xyz;
   vec3 then = normalBefore(ray.excluded, normal);
-  vec2 motion = seenAt(reflect(ray.direction, normal), frame) - seenAt(reflect(ray.direction, then), previousFrame);
+  vec2 barycentrics = pointOnTriangle(ray.excluded, pixelRay(pixel)).barycentrics;
+  vec3 mirrorNow, mirrorBefore;
+  pointThenAndNow(ray.excluded, barycentrics, mirrorNow, mirrorBefore);
+  vec3 towardsImage = reflect(ray.direction, then);
+  vec2 motion = seenAt(reflect(ray.direction, normal), frame) - seenAt(towardsImage, previousFrame);
   vec2 depths = vec2(VERY_FAR);
   if (hit.triangle != NO_TRIANGLE) {
-    vec3 mirrorNow, mirrorBefore, hitNow = ray.origin + hit.t * ray.direction, hitBefore = hitNow;
-    pointThenAndNow(ray.excluded, pointOnTriangle(ray.excluded, pixelRay(pixel)).barycentrics, mirrorNow, mirrorBefore);
+    vec3 hitNow = ray.origin + hit.t * ray.direction, hitBefore = hitNow;
 #ifndef HIT_SURFACES
     // Methods that store attributes know no place in the triangle.
     vec3 now, before;
@@ -48,7 +52,18 @@ void main() {
 #endif
     vec3 imageNow = mirrored(hitNow, mirrorNow, normal), imageBefore = mirrored(hitBefore, mirrorBefore, then);
     motion = motionOf(imageNow, imageBefore);
-    depths = vec2(dot(imageNow - frame.eye, frame.forward), dot(imageBefore - previousFrame.eye, previousFrame.forward));
+    towardsImage = imageBefore - previousFrame.eye;
+    depths = vec2(dot(imageNow - frame.eye, frame.forward), dot(towardsImage, previousFrame.forward));
+  }
+  // So far the mirror is flat. If it is not, the ray met it nearer to where it does now.
+  Curvature curvature = curvatureOf(ray.excluded, barycentrics, then);
+  float approach = dot(towardsImage, then);
+  if (curvature.any && approach < 0.0) {
+    vec3 fromEye = mirrorBefore - previousFrame.eye;
+    vec3 flatPlace = dot(fromEye, then) / approach * towardsImage;
+    float eyeAndHit = 1.0 / length(fromEye) + (hit.triangle != NO_TRIANGLE ? 1.0 / hit.t : 0.0);
+    vec3 place = fromEye + onCurvedMirror(flatPlace - fromEye, normalize(fromEye), then, eyeAndHit, curvature);
+    motion += seenAt(flatPlace, previousFrame) - seenAt(place, previousFrame);
   }
   imageStore(motionImage, pixel, vec4(motion, depths));
 }

@@ -59,9 +59,14 @@ void depthsBefore(vec2 at, out DepthRange surface, out DepthRange image) {
 vec4 joined(vec3 now, sampler2D before, vec2 at, Neighborhood around) {
   if (!inside(at)) return vec4(now, 1.0);
   float frames = min(texelFetch(before, ivec2(at), 0).a, MOST_FRAMES - 1.0);
-  vec3 old = fromPerceived(clipped(toPerceived(smoothHistory(before, at), frame.exposure), around, DEVIATIONS),
-                           frame.exposure);
-  return vec4(mix(old, now, 1.0 / (frames + 1.0)), frames + 1.0);
+  vec3 mean, old = toPerceived(smoothHistory(before, at), frame.exposure);
+  float strange = strangeness(old, around, DEVIATIONS, mean);
+  if (strange > 1.0) {
+    // To the nearest within the spread, on the line to the mean.
+    old = mean + (old - mean) / strange;
+    frames /= strange;
+  }
+  return vec4(mix(fromPerceived(old, frame.exposure), now, 1.0 / (frames + 1.0)), frames + 1.0);
 }
 
 vec4 continued(vec3 now, vec4 before) {
@@ -72,9 +77,9 @@ vec4 continued(vec3 now, vec4 before) {
 void followed(ivec2 pixel, ivec2 center, out vec4 surface, out vec4 reflected) {
   Neighborhood surfacesAround = Neighborhood(vec3(0.0), vec3(0.0), 9.0), reflectionsAround = surfacesAround;
   DepthRange surfaceRange = NO_DEPTHS, imageRange = NO_DEPTHS;
-  ivec2 nearest = ivec2(0), reflecting = ivec2(0);
+  ivec2 nearest = ivec2(0);
   float least = 2.0 * VERY_FAR;
-  bool reflects = depths[tileIndex(center)].y > 0.0;
+  bool reflects = true;  // all of the neighborhood
   for (int y = -1; y <= 1; ++y)
     for (int x = -1; x <= 1; ++x) {
       int i = tileIndex(center + ivec2(x, y));
@@ -89,10 +94,7 @@ void followed(ivec2 pixel, ivec2 center, out vec4 surface, out vec4 reflected) {
         least = depths[i].x;
         nearest = ivec2(x, y);
       }
-      if (!reflects && depths[i].y > 0.0) {
-        reflects = true;
-        reflecting = ivec2(x, y);
-      }
+      reflects = reflects && depths[i].y > 0.0;
     }
 
   const vec2 NOWHERE = vec2(-1.0);
@@ -114,9 +116,9 @@ void followed(ivec2 pixel, ivec2 center, out vec4 surface, out vec4 reflected) {
   if (uncovered) surfaceAt = NOWHERE;
   surface = joined(surfaces[tileIndex(center)], surfaceHistory, surfaceAt, surfacesAround);
 
-  vec2 imageAt = surfaceAt;
+  vec2 imageAt = surfaceAt;  // also of a mirror's edge
   if (reflects) {
-    vec4 image = texelFetch(reflectionMotion, clamp(pixel + reflecting, ivec2(0), last), 0);
+    vec4 image = texelFetch(reflectionMotion, pixel, 0);
     imageAt = here - image.xy;
     depthsBefore(imageAt, surfaceBefore, imageBefore);
     float ratio = image.w / image.z;

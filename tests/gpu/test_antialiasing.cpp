@@ -1,18 +1,13 @@
 // Smooth edges: stills of many samples, the edges of one picture, frames joined over time.
 #include <algorithm>
 #include <cmath>
-#include <complex>
-#include <glm/gtc/constants.hpp>
-#include <memory>
 #include <vector>
 
 #include "gpu/light_fixture.h"
-#include "gpu/tracing_scenes.h"
+#include "gpu/smooth_edges.h"
 
 namespace halfsilver::testing {
 namespace {
-
-constexpr int kWidth = 64, kHeight = 48;
 
 // Diagonal stripes on a wall, three pixels wide from roomCamera(), and a mirror floor before it.
 Scene stripedRoom() {
@@ -34,56 +29,12 @@ Settings smooth(const char* antialiasing) {
   return settingsWith({{"trace.method", "exact"}, {"image.antialiasing", antialiasing}});
 }
 
-std::vector<float> colors(const Image& layers) {
-  std::vector<float> values;
-  for (std::size_t pixel = 0; pixel < layers.pixelCount(); ++pixel)
-    for (const char* channel : {"R", "G", "B"})
-      values.push_back(layers.data[pixel * layers.channels.size() + static_cast<std::size_t>(layers.channel(channel))]);
-  return values;
-}
-
-double rmse(const std::vector<float>& a, const std::vector<float>& b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += std::pow(static_cast<double>(a[i]) - static_cast<double>(b[i]), 2);
-  return std::sqrt(sum / static_cast<double>(a.size()));
-}
-
 double largestDifference(const std::vector<float>& a, const std::vector<float>& b) {
   double largest = 0;
   for (std::size_t i = 0; i < a.size(); ++i)
     largest = std::max(largest, std::abs(static_cast<double>(a[i]) - static_cast<double>(b[i])));
   return largest;
 }
-
-class SmoothEdges : public RenderTest {
- protected:
-  SmoothEdges() {
-    framebuffer_.attach(GL_COLOR_ATTACHMENT0, color_);
-    target_ = {framebuffer_.name(), 0, 0, kWidth, kHeight};
-  }
-
-  std::vector<float> frame(Renderer& renderer, const Camera& camera, const Settings& settings) {
-    renderer.render(camera, settings, target_);
-    return colors(renderer.readLayers());
-  }
-  std::vector<float> samples(Renderer& renderer, const Camera& camera, const Settings& settings, std::uint32_t count) {
-    renderer.forgetHistory();
-    for (std::uint32_t sample = 0; sample < count; ++sample) renderer.refine(camera, settings, target_, sample);
-    return colors(renderer.readLayers());
-  }
-  std::vector<float> shown() const {
-    std::vector<std::uint8_t> bytes(4 * kWidth * kHeight);
-    color_.read(GL_RGBA, GL_UNSIGNED_BYTE, bytes.size(), bytes.data());
-    std::vector<float> values;
-    for (std::size_t i = 0; i < bytes.size(); ++i)
-      if (i % 4 != 3) values.push_back(static_cast<float>(bytes[i]) / 255.0f);
-    return values;
-  }
-
-  gl::Texture color_{api, {.format = GL_RGBA8, .width = kWidth, .height = kHeight}, "test picture"};
-  gl::Framebuffer framebuffer_{api};
-  Target target_;
-};
 
 class Samples : public SmoothEdges {};
 
@@ -203,74 +154,6 @@ TEST_F(Temporal, AMovingCameraComesNearerToManySamples) {
   }
   EXPECT_GT(plain / 8, 0.02);
   EXPECT_LT(joined, 0.6 * plain);
-}
-
-// A wall with a sine wave `period` pixels long, across the screen or up.
-Scene waves(double period, bool across) {
-  constexpr int kTexels = 64;
-  auto texture = std::make_shared<Texture>(Texture{"waves", kTexels, kTexels, false, {}});
-  for (int y = 0; y < kTexels; ++y)
-    for (int x = 0; x < kTexels; ++x) {
-      const double angle = 2 * glm::pi<double>() * ((across ? x : y) + 0.5) / kTexels;
-      const auto gray = static_cast<std::uint8_t>(std::lround(127.5 + 100 * std::cos(angle)));
-      texture->texels.insert(texture->texels.end(), {gray, gray, gray, 255});
-    }
-  Scene scene;
-  scene.textures = {texture};
-  Material material = diffuse(glm::vec3(1));
-  material.unlit = true;
-  material.baseColorTexture.texture = 0;
-  material.baseColorTexture.mipmaps = false;
-  // 4 m wide, and so far from the test's camera that 2 m are kHeight pixels.
-  const float repeats = static_cast<float>(2 * kHeight / period);
-  material.baseColorTexture.transform = {glm::vec3(repeats, 0, 0), glm::vec3(0, repeats, 0)};
-  addQuad(scene, {0, 0, -std::sqrt(3.0f)}, {2, 0, 0}, {0, 2, 0}, addMaterial(scene, material));
-  return scene;
-}
-
-// Amplitude and phase of such a wave in the middle of a picture.
-std::complex<double> wave(const std::vector<float>& picture, double period, bool across) {
-  constexpr int kMiddle = 24;
-  std::complex<double> sum;
-  for (int y = (kHeight - kMiddle) / 2; y < (kHeight + kMiddle) / 2; ++y)
-    for (int x = (kWidth - kMiddle) / 2; x < (kWidth + kMiddle) / 2; ++x) {
-      const double place = across ? x : y;
-      sum += static_cast<double>(picture[3 * (static_cast<std::size_t>(y) * kWidth + static_cast<std::size_t>(x))]) *
-             std::polar(1.0, -2 * glm::pi<double>() * place / period);
-    }
-  return 2.0 * sum / static_cast<double>(kMiddle * kMiddle);
-}
-
-TEST_F(Temporal, ASlowPanKeepsAPatternInItsPlaceAndSharp) {
-  constexpr int kFrames = 48, kCounted = 16;
-  constexpr float kPixel = 2.0f / kHeight;
-  const auto untraced = [](const char* antialiasing) {
-    return settingsWith({{"trace.method", "none"}, {"image.antialiasing", antialiasing}});
-  };
-  for (const bool across : {true, false})
-    for (const double period : {6.0, 12.0})
-      for (const float speed : {0.1f, 0.25f, 0.4f}) {
-        SCOPED_TRACE(::testing::Message() << (across ? "across, " : "up, ") << period << " pixels, " << speed);
-        const Scene scene = waves(period, across);
-        Renderer renderer = makeRenderer(scene), other = makeRenderer(scene);
-        // What a pixel's box filter leaves of the pattern's contrast.
-        const double box = std::sin(glm::pi<double>() / period) / (glm::pi<double>() / period);
-        double lag = 0, contrast = 0;
-        for (int step = 0; step < kFrames; ++step) {
-          const float way = kPixel * speed * static_cast<float>(step);
-          const glm::vec3 eye = across ? glm::vec3(way, 0, 0) : glm::vec3(0, way, 0);
-          const Camera camera = lookAt(eye, eye - glm::vec3(0, 0, 1));
-          const std::vector<float> found = frame(renderer, camera, untraced("temporal"));
-          if (step < kFrames - kCounted) continue;
-          const std::complex<double> truth = wave(frame(other, camera, untraced("none")), period, across);
-          EXPECT_GT(std::abs(truth), 0.3);
-          const std::complex<double> error = wave(found, period, across) / truth;
-          lag += std::arg(error) / (2 * glm::pi<double>()) * period / kCounted;
-          contrast += std::abs(error) / box / kCounted;
-        }
-        EXPECT_LT(std::abs(lag), 0.05);
-        EXPECT_GT(contrast, 0.9);
-      }
 }
 
 TEST_F(Temporal, AStoppedCameraConverges) {
