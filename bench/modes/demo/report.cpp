@@ -51,11 +51,10 @@ Panel memoryPanel(const DemoPoint& point) {
 }
 
 Panel coveragePanel(const DemoPoint& point) {
-  Panel panel{point.preset + ": screen coverage", "frame", "%", {}};
-  panel.curves.push_back(curveOf(point, "traced pixels", 0, [](const DemoFrame& f) { return 100 * f.coverage; }));
-  panel.curves.push_back(
-      curveOf(point, "traced of the reflecting", 1, [](const DemoFrame& f) { return 100 * f.tracedShare; }));
-  panel.curves.push_back(curveOf(point, "resolution per axis", 2, [](const DemoFrame& f) { return 100 * f.scale; }));
+  Panel panel{point.preset + ": screen coverage and what was held", "frame", "%", {}};
+  panel.curves.push_back(curveOf(point, "coverage", 0, [](const DemoFrame& f) { return 100 * f.coverage; }));
+  panel.curves.push_back(curveOf(point, "traced share", 1, [](const DemoFrame& f) { return 100 * f.tracedShare; }));
+  panel.curves.push_back(curveOf(point, "scale", 2, [](const DemoFrame& f) { return 100 * f.scale; }));
   return panel;
 }
 
