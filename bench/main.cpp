@@ -1,6 +1,7 @@
 #include <CLI/CLI.hpp>
 
 #include "apps/commands.h"
+#include "bench/modes/antialiasing/antialiasing.h"
 #include "bench/modes/coverage/coverage.h"
 #include "bench/modes/demo/demo.h"
 #include "bench/modes/memory/memory.h"
@@ -14,7 +15,7 @@ int main(int argc, char** argv) {
   using namespace halfsilver::bench;
   CLI::App program("Measures Halfsilver's methods against each other.", "halfsilver-bench");
   // In the order of the page that `all` makes.
-  addModes(program,
-           {memoryMode(), speedMode(), coverageMode(), paretoMode(), stabilityMode(), scalingMode(), demoMode()});
+  addModes(program, {memoryMode(), speedMode(), coverageMode(), paretoMode(), stabilityMode(), antialiasingMode(),
+                     scalingMode(), demoMode()});
   return halfsilver::runCommand(program, argc, argv);
 }

@@ -36,9 +36,9 @@ std::vector<float> largestChanges(const Image& before, const Image& after) {
 
 void FlickerMeter::add(const Image& frame, const Image& reference) {
   const std::size_t pixels = frame.pixelCount();
-  traced_.resize(pixels, 0);
+  counts_.resize(pixels, counted_ == Pixels::all ? 1 : 0);
   const Channel selected(frame, "selected.Y");
-  for (std::size_t p = 0; p < pixels; ++p) traced_[p] = traced_[p] || selected[p] > 0 ? 1 : 0;
+  for (std::size_t p = 0; p < pixels; ++p) counts_[p] = counts_[p] || selected[p] > 0 ? 1 : 0;
   if (last_) {
     const std::vector<float> own = largestChanges(last_->frame, frame);
     const std::vector<float> scene = largestChanges(last_->reference, reference);
@@ -61,11 +61,11 @@ Flicker FlickerMeter::result() const {
   Flicker flicker;
   flicker.steps = steps_;
   flicker.identical = quiet_;
-  flicker.pixels = static_cast<std::uint64_t>(std::count(traced_.begin(), traced_.end(), 1));
+  flicker.pixels = static_cast<std::uint64_t>(std::count(counts_.begin(), counts_.end(), 1));
   if (flicker.pixels == 0 || steps_ == 0) return flicker;
   std::vector<float> values;
   for (std::size_t i = 0; i < excess_.size(); ++i)
-    if (traced_[i % traced_.size()]) values.push_back(excess_[i]);
+    if (counts_[i % counts_.size()]) values.push_back(excess_[i]);
   double sum = 0;
   for (const float value : values) sum += static_cast<double>(value);
   flicker.mean = sum / static_cast<double>(values.size());

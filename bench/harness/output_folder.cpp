@@ -26,6 +26,13 @@ OutputFolder::~OutputFolder() {
   for (const fs::path& folder : created_) fs::remove(folder, ignored);
 }
 
+std::string pictureName(const std::string& scene, const std::string& way) {
+  std::string name = scene;
+  name += ' ';
+  name += way;
+  return name;
+}
+
 std::string pictureFile(const std::string& name) {
   std::string file = name;
   for (char& c : file)

@@ -25,6 +25,8 @@ class OutputFolder {
   std::vector<std::filesystem::path> created_;  // innermost first
 };
 
+// Of a scene drawn in one of several ways.
+std::string pictureName(const std::string& scene, const std::string& way);
 // File name of a picture: "builtin:sphere" is in builtin-sphere.png.
 std::string pictureFile(const std::string& name);
 // Saves the last frame that was drawn.

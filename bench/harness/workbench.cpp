@@ -95,6 +95,12 @@ void Workbench::drawNext(const BenchScene& scene, RunStatistics& run) {
   failOnErrors();
 }
 
+void Workbench::drawSamples(const BenchScene& scene, RunStatistics& run, int samples) {
+  run.report = drawPicture(*renderer_, scene.camera, run.settings, target_.target(), samples);
+  run.warnings = run.report.warnings;
+  failOnErrors();
+}
+
 void Workbench::startOver(const BenchScene& scene) {
   renderer_->forgetStructures();
   renderer_->update(scene.model.scene, {.lights = true});

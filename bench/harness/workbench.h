@@ -38,6 +38,8 @@ class Workbench {
 
   // Draws one more frame of the current scene; its structures keep the capacity that they have.
   void drawNext(const BenchScene& scene, RunStatistics& run);
+  // The same for a picture of several samples per pixel.
+  void drawSamples(const BenchScene& scene, RunStatistics& run, int samples);
   // What the renderer asked of GL in the frame that was drawn last, its report not counted.
   const GlWork& lastWork() const { return work_; }
   // The next frame builds its structure and draws its shadow maps as the first one does; programs are compiled.

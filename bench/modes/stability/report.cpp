@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "bench/harness/output_folder.h"
 #include "bench/harness/request.h"
 #include "bench/report/page.h"
 #include "bench/report/text.h"
@@ -144,13 +145,6 @@ std::string stabilityBody(StabilityPoints points, const std::map<std::string, st
   }
   body += heading("All figures") + toHtml(stabilityTable(points));
   return body;
-}
-
-std::string pictureName(const std::string& scene, const std::string& method) {
-  std::string name = scene;
-  name += ' ';
-  name += method;
-  return name;
 }
 
 }  // namespace halfsilver::bench

@@ -20,7 +20,5 @@ Table stabilityTable(StabilityPoints points);  // for people
 Table stabilityCsv(StabilityPoints points);    // plain numbers, one row per point
 // `pictures`: bytes of PNGs by pictureName().
 std::string stabilityBody(StabilityPoints points, const std::map<std::string, std::string>& pictures);
-// Of a scene drawn by a method.
-std::string pictureName(const std::string& scene, const std::string& method);
 
 }  // namespace halfsilver::bench
