@@ -30,6 +30,7 @@ PictureUse Picture::begin(const Camera& camera, const Settings& settings, const 
                           const std::optional<std::uint32_t>& sample) {
   View view{{ofRadiance(settings), size}, camera};
   if (sample) {
+    history_.reset();
     const bool first = samplesOf_ != view;
     samplesOf_ = std::move(view);
     return {.kind = PictureUse::Kind::sample, .first = first, .jitter = sampleOffset(*sample)};
@@ -80,7 +81,8 @@ void Picture::show(const FrameView& view, const Frame& frame, const gl::Buffer& 
   if (frame.use.kind == PictureUse::Kind::temporal) {
     using Past = TemporalPass::Past;
     temporal_.begin(view);
-    for (const RayBatch& batch : frame.batches) temporal_.follow(view, batch, previousPositions);
+    if (previousPositions)  // none if a frame of another kind has begun since
+      for (const RayBatch& batch : frame.batches) temporal_.follow(view, batch, previousPositions);
     temporal_.run(view, frame.use.first ? Past::none : frame.use.still ? Past::still : Past::moving);
     display_.run(view, joined(), DisplayPass::Output::display, target);
     return;

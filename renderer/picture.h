@@ -34,7 +34,7 @@ class Picture {
   // The same picture as radiance. Only of the frame that was shown last.
   void readLinear(const FrameView& view, const Frame& frame, GLuint framebuffer);
 
-  std::uint32_t samples() const { return samples_.samples; }
+  std::uint32_t samples() const { return samplesOf_ ? samples_.samples : 0; }
   std::size_t bytes() const { return samples_.bytes() + fxaa_.bytes() + temporal_.bytes(); }
 
  private:

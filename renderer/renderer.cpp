@@ -103,6 +103,17 @@ void Renderer::Impl::begin(const Camera& camera, const Settings& wanted, int wid
                                       " is beyond the device's limits (1 to " +
                                       std::to_string(api.limits.framebufferSize) + ")");
   const Work work{underWay.empty() ? 0 : 1 - underWay.front().frame, takeRecord()};
+  try {
+    start(work, camera, wanted, {width, height}, sample);
+  } catch (...) {
+    picture.forget();  // it counts on a frame that is not drawn
+    throw;
+  }
+  underWay.push_back(work);
+}
+
+void Renderer::Impl::start(const Work& work, const Camera& camera, const Settings& wanted, const glm::ivec2& size,
+                           const std::optional<std::uint32_t>& sample) {
   Frame& frame = frames[work.frame];
   FrameRecord& record = records[work.record];
   record.begin();
@@ -110,9 +121,9 @@ void Renderer::Impl::begin(const Camera& camera, const Settings& wanted, int wid
   useTracer(wanted);
   if (rig) posePass.run(*rig, scene, wanted.scene.posing, record.profiler());
   drawShadows(wanted, record.profiler());
-  const PictureUse use = picture.begin(camera, wanted, {width, height}, sample);
+  const PictureUse use = picture.begin(camera, wanted, size, sample);
   const shared::FrameConstants constants =
-      makeFrameConstants(camera, scene.extents.bounds(), sky, wanted, width, height, shadows.ranges, use.jitter);
+      makeFrameConstants(camera, scene.extents.bounds(), sky, wanted, size.x, size.y, shadows.ranges, use.jitter);
   if (shown == work.frame) shown.reset();
   frame.use = use;
   frame.settings = wanted;
@@ -143,7 +154,6 @@ void Renderer::Impl::begin(const Camera& camera, const Settings& wanted, int wid
   shadePass.run(view, frame.gbuffer);
   if (tracer && !early) submitBatch(view, frame, 0);
   change = {};
-  underWay.push_back(work);
 }
 
 // The stages of README.md from the hits on.
@@ -155,7 +165,7 @@ void Renderer::Impl::finish(const Target& target) {
   if (target.width != frame.gbuffer.width || target.height != frame.gbuffer.height)
     throw Error(ErrorKind::usage, "finish(): the target has another size than begin() was given");
   underWay.pop_front();
-  {
+  try {
     const auto section = record.profiler().section("frame");
     const FrameView view = viewOf(frame, record.profiler());
     if (tracer) {
@@ -165,6 +175,9 @@ void Renderer::Impl::finish(const Target& target) {
       }
     }
     picture.show(view, frame, motionPass.previousPositions(), target);
+  } catch (...) {
+    picture.forget();
+    throw;
   }
   // Counts (selection, build, trace) are copied for the report.
   api.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
@@ -358,6 +371,7 @@ std::vector<std::string> Renderer::reloadShaders() {
   if (!impl_->underWay.empty())
     throw Error(ErrorKind::usage, "reloadShaders(): a frame is under way, finish() it first");
   const gl::StateGuard guard(impl_->api);
+  impl_->picture.forget();
   return gl::reloadPrograms(impl_->api);
 }
 

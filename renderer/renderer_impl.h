@@ -84,6 +84,8 @@ struct Renderer::Impl {
   void finishBatch(const FrameView& view, Frame& frame, RayBatch& batch);
   void begin(const Camera& camera, const Settings& wanted, int width, int height,
              const std::optional<std::uint32_t>& sample = {});
+  void start(const Work& work, const Camera& camera, const Settings& wanted, const glm::ivec2& size,
+             const std::optional<std::uint32_t>& sample);
   void finish(const Target& target);
   void noteChange(const SceneChange& changed);
   void load(const Scene& wanted, std::vector<PosedPart> posed);

@@ -83,11 +83,25 @@ FrameReport drawPicture(Renderer& renderer, const Camera& camera, const Settings
   return report;
 }
 
+namespace {
+
+void settle(Renderer& renderer, const Camera& camera, const Settings& settings, const Target& target) {
+  for (int drawn = 0; drawn < kMaxFirstFrames; ++drawn) {
+    renderer.render(camera, settings, target);
+    if (renderer.report().lostFragments == 0) return;
+  }
+}
+
+}  // namespace
+
 int drawFirstFrame(Renderer& renderer, const Camera& camera, const Settings& settings, const Target& target,
                    FrameReport& report, int samples) {
   int drawn = 0;
   std::vector<StageTime> shadow;
   do {
+    renderer.forgetHistory();
+    // Once anything was lost, single frames find the sizes.
+    if (drawn > 0 && samples > 1) settle(renderer, camera, settings, target);
     report = drawPicture(renderer, camera, settings, target, samples);
     // Only the very first one draws shadow maps.
     for (const StageTime& time : report.times)

@@ -174,6 +174,11 @@ void render(const RenderRequest& request) {
   const ViewArguments arguments = checkView(request.view);
   Settings settings = baseSettings(request.view);
   applyOverrides(settings, request.view);
+  if (range && settings.image.antialiasing == Antialiasing::temporal)
+    throw Error(
+        ErrorKind::usage,
+        "--frames cannot be combined with image.antialiasing=temporal, which makes a frame depend on those before "
+        "it: use --samples");
   Progress progress;
   if (range)
     renderSequence({request.view, arguments, settings, request.outputs, *range, request.overwrite, request.samples},

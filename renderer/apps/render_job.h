@@ -16,7 +16,7 @@ namespace halfsilver {
 // All that drawing a scene without a window takes: the view, a context, a target and a renderer that holds the scene.
 struct RenderJob {
   // Loads and uploads. Throws Error: badInput, noContext.
-  RenderJob(const ViewRequest& view, const ViewArguments& arguments, Settings settings, PosedView loaded,
+  RenderJob(const ViewRequest& request, const ViewArguments& arguments, Settings settings, PosedView loaded,
             Progress& progress, WallClock& clock);
   RenderJob(const RenderJob&) = delete;
 

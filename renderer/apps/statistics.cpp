@@ -110,7 +110,8 @@ bool StageTimes::has(const std::string& stage) const {
 std::vector<StageSummary> StageTimes::summarize() const {
   std::vector<std::string> order = stageNames();
   for (const auto& [stage, times] : samples_)
-    if (std::find(order.begin(), order.end(), stage) == order.end()) order.push_back(stage);
+    if (std::find(order.begin(), order.end(), stage) == order.end())
+      order.insert(stage == "pose" ? order.begin() : order.end(), stage);  // the one that comes before all others
   std::vector<StageSummary> result;
   for (const std::string& stage : order) {
     const auto found = std::find_if(samples_.begin(), samples_.end(), [&](const auto& s) { return s.first == stage; });

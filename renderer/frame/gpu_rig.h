@@ -34,7 +34,7 @@ class GpuRig {
 
   // Attached lights follow the nodes that the pose moves. Returns whether one did.
   bool follow(const PoseState& state, std::span<Light> lights);
-  // Puts lights of the caller, which are as at rest, where their nodes have moved to.
+  // Moves the caller's lights, given as at rest, to where their nodes are now.
   void putInPlace(std::span<Light> lights) const;
 
   // Groups of vertices that one program places.

@@ -170,10 +170,12 @@ void uploadMaterials(const gl::Api& api, GpuScene& gpu, const Scene& scene, std:
   // Most changes are of colors: the list stays, and with it what is known of moves.
   if (gpu.drawList && std::ranges::equal(order, gpu.clusters.drawList()) && ranges == gpu.drawRanges) return;
   ++gpu.casters;
+  const bool replaced = static_cast<bool>(gpu.drawList);
   gpu.drawRanges = std::move(ranges);
   gpu.drawList = gl::makeBuffer(api, std::span<const std::uint32_t>(order), "draw list");
   uploadIndices(api, gpu, triangles, order);
   gpu.clusters = DrawClusters(scene, std::move(order), gpu.drawRanges, gpu.extents.posed());
+  if (replaced) gpu.clusters.follow(gpu.extents.held());  // parts may have left the boxes of their animations
 }
 
 void requireCount(std::size_t has, std::size_t uploaded, const char* what) {

@@ -77,7 +77,11 @@ std::vector<std::string> ShadowPass::run(const GpuScene& scene, std::span<const 
   out.lights = gl::makeTexelBuffer<shared::GpuLight>(*api_, list.lights, "lights");
   out.ranges = list.ranges;
   std::vector<ShadowView> drawn = std::exchange(out.views, {});  // until all are drawn, the maps hold none
-  if (out.casters != scene.casters) drawn.clear();
+  if (out.casters != scene.casters) {
+    drawn.clear();
+    out.still = {};  // what is known of moves began anew with the casters
+    out.startsFollowed = 0;
+  }
   out.casters = scene.casters;
   // Something must be bound, even if nothing casts a shadow.
   const int resolution = list.layers > 0 ? limits.resolution : 1;

@@ -48,8 +48,8 @@ void TemporalPass::follow(const FrameView& view, const RayBatch& batch, const gl
   motion_.bindImage(IMAGE_REFLECTION_MOTION, GL_WRITE_ONLY);
   api_->BindBuffer(GL_DISPATCH_INDIRECT_BUFFER, batch.rays.count.name());
   api_->DispatchComputeIndirect(0);
-  // The motion of reflections is fetched by run().
-  api_->MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+  // The motion of reflections is fetched by run(), and cleared by the next frame.
+  api_->MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
 }
 
 void TemporalPass::run(const FrameView& view, Past past) {

@@ -223,6 +223,27 @@ TEST_F(Temporal, ACutLeavesNothingOfTheFrameBefore) {
   EXPECT_NE(frames(renderer, roomCamera(1), 2), alone);
 }
 
+TEST_F(Temporal, SamplesOfAStillInBetweenBeginAnotherHistory) {
+  const Scene scene = stripedRoom();
+  Renderer renderer = makeRenderer(scene);
+  const std::vector<float> alone = frames(renderer, roomCamera(1), 2);
+  renderer.setScene(scene);
+  frames(renderer, roomCamera(), 3);
+  samples(renderer, roomCamera(), smooth("temporal"), 4);
+  EXPECT_EQ(frames(renderer, roomCamera(1), 2), alone);
+}
+
+TEST_F(Temporal, AFrameThatCannotBeDrawnBeginsAnotherHistory) {
+  const Scene scene = stripedRoom();
+  Renderer renderer = makeRenderer(scene);
+  const std::vector<float> alone = frames(renderer, roomCamera(1), 2);
+  renderer.setScene(scene);
+  Camera nowhere = roomCamera(1);
+  nowhere.target = nowhere.eye;
+  EXPECT_THROW(frame(renderer, nowhere, smooth("temporal")), Error);
+  EXPECT_EQ(frames(renderer, roomCamera(1), 2), alone);
+}
+
 TEST_F(Temporal, FramesUnderWayAreThoseThatFollowEachOther) {
   const Scene scene = stripedRoom();
   const auto cameraAt = [](int step) { return roomCamera(0.02f * static_cast<float>(step)); };

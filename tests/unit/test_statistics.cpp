@@ -54,6 +54,8 @@ TEST(StageTimes, AllStagesAreAlwaysPresentAndOthersFollow) {
   ASSERT_EQ(all.size(), contract.size());
   for (std::size_t i = 0; i < all.size(); ++i) EXPECT_EQ(all[i].stage, contract[i]);
   EXPECT_EQ(stageOf(all, "trace").runs, 0u);
+  times.add(std::vector<StageTime>{{"pose", 1}});
+  EXPECT_EQ(times.summarize().front().stage, "pose") << "in the order of a frame";
 }
 
 TEST(Statistics, JsonHasTheContractsNames) {

@@ -35,7 +35,7 @@ Panel timePanel(const DemoPoint& point) {
   panel.curves.push_back(
       curveOf(point, "whole", kNeutralColor, [](const DemoFrame& frame) { return frame.wallMilliseconds; }));
   std::size_t color = 0;
-  for (const char* stage : {"gbuffer", "trace", "shade", "build", "shadow"})
+  for (const char* stage : {"pose", "gbuffer", "trace", "shade", "build", "shadow"})
     panel.curves.push_back(
         curveOf(point, stage, color++, [&](const DemoFrame& frame) { return timeOf(frame, stage); }));
   return panel;
@@ -61,8 +61,8 @@ Panel coveragePanel(const DemoPoint& point) {
 constexpr std::tuple kColumns{&DemoFrame::frame,       &DemoFrame::wallMilliseconds, &DemoFrame::scale,
                               &DemoFrame::tracedShare, &DemoFrame::coverage,         &DemoFrame::rays,
                               &DemoFrame::overflow,    &DemoFrame::structureBytes,   &DemoFrame::totalBytes};
-constexpr std::array kStages = {"frame", "gbuffer", "shadow", "select",   "voxelize",
-                                "build", "trace",   "shade",  "composite"};
+constexpr std::array kStages = {"frame",    "pose",  "gbuffer", "shadow", "select",
+                                "voxelize", "build", "trace",   "shade",  "composite"};
 
 constexpr const char* kIntroduction =
     "The game, played by a recording of its input with a fixed time step: every method draws the same frames.";

@@ -18,6 +18,7 @@ struct FrameFigures {
   int width = 0, height = 0;  // of the picture
   FrameReport report;
   std::vector<std::string> status;  // of the play
+  bool drawn = true;                // false: the picture had all its samples, and stays
 };
 
 // A line of JSON: coverage, rays, stage times, bytes of the structure and in all, scale, overflow.

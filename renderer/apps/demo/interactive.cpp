@@ -127,8 +127,10 @@ class Interactive {
     try {
       FrameFigures figures = session_.draw(window_.size(), holder_.scale(options_), holder_.options(options_), false);
       figures.wallMilliseconds = millisecondsSince(start);
-      holder_.learn(figures);
-      log_.add(figures);
+      if (figures.drawn) {
+        holder_.learn(figures);
+        log_.add(figures);
+      }
       good_ = options_;
       return true;
     } catch (const Error& error) {

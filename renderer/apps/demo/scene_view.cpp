@@ -22,7 +22,7 @@ void SceneView::update(const Scene& scene, const SceneChange& change) {
   drawn_.reset();
 }
 
-void SceneView::draw(const Camera& camera, const Settings& settings, const Size& size, int samples) {
+bool SceneView::draw(const Camera& camera, const Settings& settings, const Size& size, int samples) {
   if (!picture_ || size.width != size_.width || size.height != size_.height) {
     picture_.reset();  // its memory goes before the new one's comes
     picture_.emplace(*api_, size);
@@ -31,15 +31,18 @@ void SceneView::draw(const Camera& camera, const Settings& settings, const Size&
   }
   const std::pair wanted(camera, settings);
   const bool still = drawn_ == wanted;
+  if (still && samples > 1 && samples_ >= samples) return false;
   drawn_.reset();  // until it is drawn
   if (!still || samples <= 1) {
     renderer_.render(camera, settings, picture_->target());
     samples_ = 0;
-  } else if (samples_ < samples) {
+  } else {
+    if (samples_ == 0) renderer_.forgetHistory();
     renderer_.refine(camera, settings, picture_->target(), static_cast<std::uint32_t>(samples_));
     ++samples_;
   }
   drawn_ = wanted;
+  return true;
 }
 
 unsigned SceneView::texture() const { return picture_ ? picture_->texture() : 0; }

@@ -21,7 +21,8 @@ class SceneView {
   void update(const Scene& scene, const SceneChange& change);
   // Draws a picture of that size, which replaces the last one. If nothing has changed since, it becomes the mean of up
   // to `samples` frames, one more with each call.
-  void draw(const Camera& camera, const Settings& settings, const Size& size, int samples = 1);
+  // Returns false if it has them all, and nothing was drawn.
+  bool draw(const Camera& camera, const Settings& settings, const Size& size, int samples = 1);
 
   Renderer& renderer() { return renderer_; }
   const Renderer& renderer() const { return renderer_; }

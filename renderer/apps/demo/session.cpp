@@ -69,7 +69,7 @@ FrameFigures Session::draw(const Size& window, double scale, const Options& opti
   const Camera camera = play_->camera();
   backdrops_.clear();
   colors_.clear();
-  view_->draw(camera, settingsOf(options.settings, options), size, options.samples);
+  const bool drawn = view_->draw(camera, settingsOf(options.settings, options), size, options.samples);
   backdrops_ = {{view_->texture(), 0, options.split ? options.splitAt : 1, false}};
   if (options.split) {
     second().draw(camera, settingsOf(options.other, options), size, options.samples);
@@ -81,7 +81,7 @@ FrameFigures Session::draw(const Size& window, double scale, const Options& opti
   else if (auto arrived = view_->renderer().arrivedReport())
     report_ = std::move(*arrived);
   return {frame_++, millisecondsSince(start), scale, options.settings.select.fraction, size.width, size.height,
-          report_,  play_->status()};
+          report_,  play_->status(),          drawn};
 }
 
 std::vector<Segment> Session::cells(const Options& options) const {

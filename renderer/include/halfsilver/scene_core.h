@@ -57,6 +57,7 @@ class SceneExtents {
   const Bounds& usual() const { return usual_; }    // the same while no posed part leaves its own box
   const SceneCore& core() const { return core_; }
   std::span<const PosedPart> posed() const { return posed_; }
+  std::span<const Bounds> held() const { return held_; }  // what each posed part is in, wherever it is now
 
  private:
   struct Block {

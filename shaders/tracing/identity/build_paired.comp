@@ -44,7 +44,9 @@ void main() {
       BrickBox box = bricksOf(a, b, c);
       near = all(lessThanEqual(box.low, brick)) && all(lessThanEqual(brick, box.high));
     }
-    for (int i = 0; i < projectionCount() && near; ++i) visitBrick(projectTriangle(a, b, c, i), brick);
+    for (int i = 0; i < projectionCount() && near; ++i) {
+      visitBrick(projectTriangle(a, b, c, i), brick);
+      countEntries(axis, ivec2(gl_LocalInvocationIndex % 8u, gl_LocalInvocationIndex / 8u));
+    }
   }
-  countEntries(axis, ivec2(gl_LocalInvocationIndex % 8u, gl_LocalInvocationIndex / 8u));
 }
