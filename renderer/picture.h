@@ -24,7 +24,7 @@ class Picture {
   // samples of its pixels lie.
   PictureUse begin(const Camera& camera, const Settings& settings, const glm::ivec2& size,
                    const std::optional<std::uint32_t>& sample);
-  // The scene has changed: a picture of several samples begins anew, a history is followed.
+  // The scene has changed: a picture of several samples starts over, a history is followed.
   void changed();
   // Nothing that was drawn so far counts any more.
   void forget();

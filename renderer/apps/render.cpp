@@ -221,7 +221,7 @@ void addRenderCommand(CLI::App& program) {
       "A..B: render an image sequence of the animations, frame n at n / fps seconds; frames whose files "
       "exist are left as they are");
   command->add_option("--fps", request.framesPerSecond, "Frames per second of the sequence (default: 24)");
-  command->add_flag("--overwrite", request.overwrite, "Render frames anew whose files exist");
+  command->add_flag("--overwrite", request.overwrite, "Also render frames whose files exist");
   command->add_option("--budget-ms", request.budgetMilliseconds,
                       "Time limit per frame in milliseconds; drops the least visible reflections until it is met");
   command->add_option("--budget-mb", request.budgetMegabytes,

@@ -27,7 +27,7 @@ class GpuRig {
     std::vector<Bounds> touched;  // boxes that they have left or come into
   };
   // Has the scene follow a pose. Bounds, winding and what the CPU poses are right at once, the rest after the next
-  // PosePass::run(). The first pose moves every instance, later ones those that they place anew. Throws, before
+  // PosePass::run(). The first pose moves every instance, later ones those that they place elsewhere. Throws, before
   // anything is changed, Error (usage) if the pose is of another rig and Error (badInput) if it leaves the range of
   // floats.
   Change take(const PoseState& state, GpuScene& scene);

@@ -79,7 +79,7 @@ std::vector<std::string> ShadowPass::run(const GpuScene& scene, std::span<const 
   std::vector<ShadowView> drawn = std::exchange(out.views, {});  // until all are drawn, the maps hold none
   if (out.casters != scene.casters) {
     drawn.clear();
-    out.still = {};  // what is known of moves began anew with the casters
+    out.still = {};  // what is known of moves started over with the casters
     out.startsFollowed = 0;
   }
   out.casters = scene.casters;

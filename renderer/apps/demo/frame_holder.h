@@ -9,7 +9,7 @@
 
 namespace halfsilver::demo {
 
-// Keeps Options::frameTime with a controller, anew when the player changes it.
+// Keeps Options::frameTime with a controller, which starts over if the player changes it.
 class FrameHolder {
  public:
   // How to draw the next frame: at this share of the resolution and with these options.

@@ -65,7 +65,7 @@ class Renderer {
   // Moves what setModel() uploaded: vertices, winding and attached lights, as pose() of pose.h does, within 1e-5 of the
   // scene's diagonal; the caller's model is neither read nor changed. See posedCamera() for cameras. A compute pass
   // places the vertices in the next frame (stage "pose"), or with scene.posing = cpu the CPU does, in double precision.
-  // Only instances that the pose places anew count as moved, and only lights whose node it moves follow.
+  // Only instances that the pose places elsewhere count as moved, and only lights whose node it moves follow.
   // Those that floats cannot place so exactly are placed on the CPU, in double precision; a pose that mirrors an
   // instance waits for the GPU, and so does each frame of a pose whose rays the CPU traces (it reads the vertices
   // back). update() still brings the rest up to date: materials, lights, vertices of what cannot move. Lights whose
