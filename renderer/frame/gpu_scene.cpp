@@ -10,78 +10,11 @@
 #include <halfsilver/shared_structs.h>
 #include "frame/alpha_texels.h"
 #include "frame/material_textures.h"
+#include "frame/pack_material.h"
 #include "scene/alpha.h"
 
 namespace halfsilver {
 namespace {
-
-constexpr std::uint32_t kMagnifyNearest = 16, kMinifyNearest = 32, kNoMipmaps = 64, kSecondUvSet = 128;
-
-std::uint32_t wrapBits(Wrap wrap) {
-  switch (wrap) {
-    case Wrap::repeat:
-      return 0;
-    case Wrap::mirror:
-      return 1;
-    case Wrap::clamp:
-      break;
-  }
-  return 2;
-}
-
-shared::GpuTexture packTexture(const TextureUse& use, const std::vector<std::uint32_t>& locations) {
-  shared::GpuTexture packed{};
-  packed.location = use.texture < 0 ? NO_TEXTURE : locations[static_cast<std::size_t>(use.texture)];
-  packed.sampling = wrapBits(use.wrapU) | wrapBits(use.wrapV) << 2 |
-                    (use.magnify == Filter::nearest ? kMagnifyNearest : 0) |
-                    (use.minify == Filter::nearest ? kMinifyNearest : 0) | (use.mipmaps ? 0 : kNoMipmaps) |
-                    (use.uvSet == 1 ? kSecondUvSet : 0);
-  for (int i = 0; i < 3; ++i) {
-    packed.transform[i] = use.transform[0][i];
-    packed.transform[3 + i] = use.transform[1][i];
-  }
-  return packed;
-}
-
-shared::GpuMaterial packMaterial(const Material& material, bool holes, const AlphaPlace& alpha,
-                                 const std::vector<std::uint32_t>& locations) {
-  const bool blend = material.alphaMode == AlphaMode::blend;
-  const float ratio = (material.ior - 1) / (material.ior + 1);
-  shared::GpuMaterial packed{};
-  packed.baseColor = material.baseColor;
-  packed.emissive = material.emissive;
-  packed.alphaCutoff = blend ? 0.5f : material.alphaCutoff;
-  packed.specularColor = material.specularColor;
-  packed.specularFactor = material.specular;
-  packed.metallic = material.metallic;
-  packed.roughness = material.roughness;
-  packed.normalScale = material.normalScale;
-  packed.occlusionStrength = material.occlusionStrength;
-  packed.dielectricF0 = ratio * ratio;
-  packed.mirror = material.mirror.value_or(0.0f);
-  packed.flags = (material.doubleSided ? MATERIAL_DOUBLE_SIDED : 0) | (holes ? MATERIAL_CUT : 0) |
-                 (blend ? MATERIAL_BLEND : 0) | (material.unlit ? MATERIAL_UNLIT : 0) |
-                 (material.mirror ? MATERIAL_MIRROR : 0);
-  packed.alphaFirst = alpha.first;
-  packed.alphaWidth = alpha.width;
-  packed.alphaHeight = alpha.height;
-  packed.textures[TEXTURE_BASE_COLOR] = packTexture(material.baseColorTexture, locations);
-  packed.textures[TEXTURE_METALLIC_ROUGHNESS] = packTexture(material.metallicRoughnessTexture, locations);
-  packed.textures[TEXTURE_NORMAL] = packTexture(material.normalTexture, locations);
-  packed.textures[TEXTURE_OCCLUSION] = packTexture(material.occlusionTexture, locations);
-  packed.textures[TEXTURE_EMISSIVE] = packTexture(material.emissiveTexture, locations);
-  packed.textures[TEXTURE_SPECULAR] = packTexture(material.specularTexture, locations);
-  packed.textures[TEXTURE_SPECULAR_COLOR] = packTexture(material.specularColorTexture, locations);
-  for (int use = 0; use < 7; ++use)
-    if (packed.textures[use].location != NO_TEXTURE) packed.flags |= 1u << (MATERIAL_TEXTURES_SHIFT + use);
-  return packed;
-}
-
-std::array<const TextureUse*, 7> textureUses(const Material& material) {
-  return {&material.baseColorTexture,    &material.metallicRoughnessTexture, &material.normalTexture,
-          &material.occlusionTexture,    &material.emissiveTexture,          &material.specularTexture,
-          &material.specularColorTexture};
-}
 
 void checkIndices(const Scene& scene) {
   for (std::size_t t = 0; t < scene.triangles.size(); ++t) {

@@ -10,6 +10,7 @@
 
 #include <halfsilver/error.h>
 #include <halfsilver/shared_structs.h>
+#include "frame/pack_material.h"
 
 namespace halfsilver {
 namespace {
@@ -112,9 +113,7 @@ bool hasAnisotropy(const gl::Api& api) {
 std::vector<TextureRequest> requestsOf(const Scene& scene) {
   std::vector<bool> used(scene.textures.size());
   for (const Material& material : scene.materials)
-    for (const TextureUse* use : {&material.baseColorTexture, &material.metallicRoughnessTexture,
-                                  &material.normalTexture, &material.occlusionTexture, &material.emissiveTexture,
-                                  &material.specularTexture, &material.specularColorTexture})
+    for (const TextureUse* use : textureUses(material))
       if (use->texture >= 0) used[static_cast<std::size_t>(use->texture)] = true;
   std::vector<TextureRequest> requests;
   for (std::size_t t = 0; t < used.size(); ++t) {

@@ -152,6 +152,35 @@ glm::vec4 factors(const std::vector<double>& source) {
   return result;
 }
 
+void addTransmission(const tinygltf::ExtensionMap& extensions, MaterialInfo& info) {
+  Material& material = info.material;
+  if (const auto* transmission = extension(extensions, "KHR_materials_transmission")) {
+    material.transmission = static_cast<float>(number(*transmission, "transmissionFactor", 0));
+    info.transmission = textureInfo(*transmission, "transmissionTexture");
+  }
+  if (const auto* volume = extension(extensions, "KHR_materials_volume")) {
+    material.thickness = static_cast<float>(number(*volume, "thicknessFactor", 0));
+    material.attenuationDistance =
+        static_cast<float>(number(*volume, "attenuationDistance", std::numeric_limits<double>::infinity()));
+    material.attenuationColor = vector(*volume, "attenuationColor", material.attenuationColor);
+    info.thickness = textureInfo(*volume, "thicknessTexture");
+  }
+  if (const auto* dispersion = extension(extensions, "KHR_materials_dispersion"))
+    material.dispersion = static_cast<float>(number(*dispersion, "dispersion", 0));
+}
+
+void addCoat(const tinygltf::ExtensionMap& extensions, MaterialInfo& info) {
+  const auto* coat = extension(extensions, "KHR_materials_clearcoat");
+  if (!coat) return;
+  info.material.coat = static_cast<float>(number(*coat, "clearcoatFactor", 0));
+  info.material.coatRoughness = static_cast<float>(number(*coat, "clearcoatRoughnessFactor", 0));
+  info.coat = textureInfo(*coat, "clearcoatTexture");
+  info.coatRoughness = textureInfo(*coat, "clearcoatRoughnessTexture");
+  info.coatNormal = textureInfo(*coat, "clearcoatNormalTexture");
+  const tinygltf::Value& normal = coat->Get("clearcoatNormalTexture");
+  if (normal.IsObject()) info.material.coatNormalScale = static_cast<float>(number(normal, "scale", 1));
+}
+
 MaterialInfo convert(const tinygltf::Material& source) {
   MaterialInfo info;
   const auto& base = source.pbrMetallicRoughness;
@@ -182,6 +211,8 @@ MaterialInfo convert(const tinygltf::Material& source) {
     info.specular = textureInfo(*specular, "specularTexture");
     info.specularColor = textureInfo(*specular, "specularColorTexture");
   }
+  addTransmission(source.extensions, info);
+  addCoat(source.extensions, info);
   return info;
 }
 

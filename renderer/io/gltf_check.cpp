@@ -22,8 +22,9 @@ constexpr std::array kIndexKeys = {"buffer",    "bufferView", "componentType", "
 constexpr std::array kSizeKeys = {"byteLength", "byteOffset", "byteStride", "count"};
 constexpr std::array kIndexLists = {"children", "joints", "attributes", "targets"};
 constexpr std::array kExtensions = {
-    "KHR_lights_punctual", "KHR_texture_transform",  "KHR_materials_unlit",  "KHR_materials_emissive_strength",
-    "KHR_materials_ior",   "KHR_materials_specular", "KHR_mesh_quantization"};
+    "KHR_lights_punctual",        "KHR_texture_transform",           "KHR_materials_unlit",  "KHR_materials_ior",
+    "KHR_materials_specular",     "KHR_materials_emissive_strength", "KHR_materials_volume", "KHR_materials_clearcoat",
+    "KHR_materials_transmission", "KHR_materials_dispersion",        "KHR_mesh_quantization"};
 constexpr std::array kLists = {"accessors", "animations", "bufferViews", "buffers", "cameras", "images",  "materials",
                                "meshes",    "nodes",      "samplers",    "scenes",  "skins",   "textures"};
 

@@ -11,6 +11,7 @@
 namespace halfsilver::gltf {
 namespace {
 
+constexpr float kLargest = 1e9f;  // of a factor
 constexpr unsigned kLargestSide = 16384;
 constexpr std::uint64_t kMaxTexels = std::uint64_t{1} << 30;  // of all textures together
 
@@ -60,7 +61,6 @@ class Builder {
   }
 
   Material material(const MaterialInfo& info, const std::string& where) {
-    constexpr float kLargest = 1e9f;
     Material result = info.material;
     for (int c = 0; c < 4; ++c) result.baseColor[c] = clamped(result.baseColor[c], 0, 1, "baseColorFactor", where);
     for (int c = 0; c < 3; ++c) {
@@ -75,6 +75,7 @@ class Builder {
     result.alphaCutoff = clamped(result.alphaCutoff, 0, kLargest, "alphaCutoff", where);
     // KHR_materials_ior: 0 means an infinite index, whose reflectance is 1 at every angle.
     result.ior = result.ior == 0 ? kLargest : clamped(result.ior, 1, kLargest, "ior", where);
+    limitLayers(result, where);
     if (info.alphaMode == "MASK")
       result.alphaMode = AlphaMode::mask;
     else if (info.alphaMode == "BLEND")
@@ -91,7 +92,27 @@ class Builder {
     result.emissiveTexture = use(info.emissive, true, where + ".emissiveTexture");
     result.specularTexture = use(info.specular, false, where + ".specularTexture");
     result.specularColorTexture = use(info.specularColor, true, where + ".specularColorTexture");
+    result.transmissionTexture = use(info.transmission, false, where + ".transmissionTexture");
+    result.thicknessTexture = use(info.thickness, false, where + ".thicknessTexture");
+    result.coatTexture = use(info.coat, false, where + ".clearcoatTexture");
+    result.coatRoughnessTexture = use(info.coatRoughness, false, where + ".clearcoatRoughnessTexture");
+    result.coatNormalTexture = use(info.coatNormal, false, where + ".clearcoatNormalTexture");
     return result;
+  }
+
+  void limitLayers(Material& material, const std::string& where) {
+    constexpr float kShortest = 1e-6f;  // meters
+    material.transmission = clamped(material.transmission, 0, 1, "transmissionFactor", where);
+    material.thickness = clamped(material.thickness, 0, kLargest, "thicknessFactor", where);
+    for (int c = 0; c < 3; ++c)
+      material.attenuationColor[c] = clamped(material.attenuationColor[c], 0, 1, "attenuationColor", where);
+    material.attenuationDistance = clamped(material.attenuationDistance, kShortest,
+                                           std::numeric_limits<float>::infinity(), "attenuationDistance", where);
+    material.dispersion = clamped(material.dispersion, 0, kLargest, "dispersion", where);
+    material.coat = clamped(material.coat, 0, 1, "clearcoatFactor", where);
+    material.coatRoughness = clamped(material.coatRoughness, 0, 1, "clearcoatRoughnessFactor", where);
+    material.coatNormalScale =
+        clamped(material.coatNormalScale, -kLargest, kLargest, "clearcoatNormalTexture.scale", where);
   }
 
   TextureUse use(const TextureInfo& info, bool srgb, const std::string& where) {

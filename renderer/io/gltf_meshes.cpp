@@ -58,9 +58,11 @@ class Reader {
     readTargets();
     if (!hasNormals) makeNormals();
     if (hasTangents) return;
-    if (material.normalTexture.texture >= 0) {
-      const auto set = static_cast<std::size_t>(material.normalTexture.uvSet);
-      follow(makeTangents(vertices_, geometry_.triangles, set, material.normalTexture.transform));
+    const TextureUse& mapped =
+        material.normalTexture.texture >= 0 ? material.normalTexture : material.coatNormalTexture;
+    if (mapped.texture >= 0) {
+      const auto set = static_cast<std::size_t>(mapped.uvSet);
+      follow(makeTangents(vertices_, geometry_.triangles, set, mapped.transform));
     } else {
       for (Vertex& vertex : vertices_) vertex.tangent = glm::vec4(anyPerpendicular(vertex.normal), 1);
     }

@@ -26,8 +26,26 @@ void coneFootprint(vec3 normal, vec3 direction, float width, out vec3 major, out
   minor = across * (width / max(length(across - dot(direction, across) * direction), 1e-4 * length(across)));
 }
 
+// The normal that a texel of a normal map means, unit; `normal` itself where the tangent says nothing.
+vec3 mappedNormal(vec3 normal, vec3 tangent, float bitangentSign, vec3 texel, float scale) {
+  vec3 mapped = texel * 2.0 - 1.0;
+  mapped.xy *= scale;
+  vec3 along = tangent - dot(tangent, normal) * normal;
+  if (dot(along, along) <= 1e-12) return normal;
+  along = normalize(along);
+  vec3 bitangent = cross(normal, along) * (bitangentSign < 0.0 ? -1.0 : 1.0);
+  vec3 bumped = mapped.x * along + mapped.y * bitangent + mapped.z * normal;
+  return dot(bumped, bumped) > 1e-12 ? normalize(bumped) : normal;
+}
+
+// Which textures are read, bits of MATERIAL_TEXTURES_SHIFT: those of transmission and coat cost time even if nobody
+// looks at what they say.
+const uint BASE_TEXTURES = (1u << TEXTURE_TRANSMISSION) - 1u;
+const uint ALL_TEXTURES = (1u << TEXTURE_USES) - 1u;
+
 // direction: unit, travelling towards the surface. coneWidth: diameter of the ray's cone at the surface, meters.
-Surface evaluateSurface(uint triangle, vec2 barycentrics, vec3 direction, float coneWidth) {
+// textures: BASE_TEXTURES if transmission and coat are not needed.
+Surface evaluateSurface(uint triangle, vec2 barycentrics, vec3 direction, float coneWidth, uint textures) {
   uvec4 corners = triangles[triangle];
   vec3 a, b, c;
   trianglePositions(triangle, a, b, c);
@@ -71,10 +89,12 @@ Surface evaluateSurface(uint triangle, vec2 barycentrics, vec3 direction, float 
   // What the textures say, in variables of their own: an array with an index known at run time alone lies in memory.
   vec3 baseColor = vec3(1.0), mapped = vec3(1.0), emissive = vec3(1.0), specularColor = vec3(1.0);
   vec2 roughnessMetallic = vec2(1.0);
-  float occlusion = 1.0, specular = 1.0;
+  float occlusion = 1.0, specular = 1.0, transmission = 1.0, thickness = 1.0, coat = 1.0, coatRoughness = 1.0;
+  vec3 coatMapped = vec3(1.0);
   // Only the textures that there are, in a loop that cannot be unrolled: the sampling code is large, and software
   // rasterizers execute both sides of every branch.
-  uint pending = flags >> MATERIAL_TEXTURES_SHIFT;
+  uint present = (flags >> MATERIAL_TEXTURES_SHIFT) & textures;
+  uint pending = present;
   while (pending != 0u) {
     int use = findLSB(pending);
     pending &= pending - 1u;
@@ -89,7 +109,12 @@ Surface evaluateSurface(uint triangle, vec2 barycentrics, vec3 direction, float 
       case TEXTURE_OCCLUSION: occlusion = texel.r; break;
       case TEXTURE_EMISSIVE: emissive = texel.rgb; break;
       case TEXTURE_SPECULAR: specular = texel.a; break;
-      default: specularColor = texel.rgb; break;
+      case TEXTURE_SPECULAR_COLOR: specularColor = texel.rgb; break;
+      case TEXTURE_TRANSMISSION: transmission = texel.r; break;
+      case TEXTURE_THICKNESS: thickness = texel.g; break;
+      case TEXTURE_CLEARCOAT: coat = texel.r; break;
+      case TEXTURE_CLEARCOAT_ROUGHNESS: coatRoughness = texel.g; break;
+      default: coatMapped = texel.xyz; break;
     }
   }
 
@@ -106,22 +131,27 @@ Surface evaluateSurface(uint triangle, vec2 barycentrics, vec3 direction, float 
   // Degenerate attributes fall back to the triangle itself.
   vec3 normal = dot(vertexNormal, vertexNormal) > 1e-12 ? normalize(vertexNormal) : s.geometricNormal;
   float side = dot(normal, s.geometricNormal) < 0.0 ? -1.0 : 1.0;
+  vec3 coatNormal = normal;
   if (mirror) {
     s.f0 = vec3(materials[m].mirror);
     s.roughness = 0.0;
     s.metallic = 0.0;
   } else if (materials[m].textures[TEXTURE_NORMAL].location != NO_TEXTURE) {
-    mapped = mapped * 2.0 - 1.0;
-    mapped.xy *= materials[m].normalScale;
-    vec3 along = tangent - dot(tangent, normal) * normal;
-    if (dot(along, along) > 1e-12) {
-      along = normalize(along);
-      vec3 bitangent = cross(normal, along) * (bitangentSign < 0.0 ? -1.0 : 1.0);
-      vec3 bumped = mapped.x * along + mapped.y * bitangent + mapped.z * normal;
-      if (dot(bumped, bumped) > 1e-12) normal = normalize(bumped);
-    }
+    normal = mappedNormal(normal, tangent, bitangentSign, mapped, materials[m].normalScale);
   }
   s.normal = faceViewer(side * normal, direction);
   s.reflectivity = s.unlit ? 0.0 : luminance(s.f0) * roughnessFade(s.roughness);
+
+  s.transmission = materials[m].transmission * transmission;
+  s.thin = (flags & MATERIAL_THIN) != 0u;
+  s.ior = materials[m].ior;
+  s.absorption = materials[m].absorption;
+  s.dispersion = materials[m].dispersion;
+  s.thickness = materials[m].thickness * thickness;
+  s.coat = materials[m].coat * coat;
+  s.coatRoughness = clamp(materials[m].coatRoughness * coatRoughness, 0.0, 1.0);
+  if ((present & (1u << TEXTURE_CLEARCOAT_NORMAL)) != 0u)
+    coatNormal = mappedNormal(coatNormal, tangent, bitangentSign, coatMapped, materials[m].coatNormalScale);
+  s.coatNormal = faceViewer(side * coatNormal, direction);
   return s;
 }

@@ -20,7 +20,8 @@ void main() {
   if (visible != 0u) {
     TrianglePoint point = pointOnTriangle(visible - 1u, pixelRay(pixel));
     float range = length(point.relative);
-    Surface s = evaluateSurface(visible - 1u, point.barycentrics, normalize(point.relative), frame.pixelCone * range);
+    Surface s = evaluateSurface(visible - 1u, point.barycentrics, normalize(point.relative), frame.pixelCone * range,
+                                BASE_TEXTURES);
     position = vec4(point.position, dot(point.relative, frame.forward));
     normal = vec4(s.normal, s.reflectivity);
     baseColor = vec4(s.baseColor, s.occlusion);

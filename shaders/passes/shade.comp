@@ -40,5 +40,6 @@ void main() {
   s.occlusion = baseColor.a;
   s.reflectivity = normal.w;
   s.unlit = material.a < 0.0;
+  leaveOutLayers(s);
   imageStore(shaded, pixel, directLighting(s, toEye));
 }

@@ -12,7 +12,10 @@
 #define MATERIAL_CUT 2u    // alpha is tested against `alphaCutoff`
 #define MATERIAL_BLEND 4u  // the factor's alpha is left out of the test
 #define MATERIAL_UNLIT 8u
-#define MATERIAL_MIRROR 16u        // f0 is `mirror`, roughness 0, no normal map
+#define MATERIAL_MIRROR 16u  // f0 is `mirror`, roughness 0, no normal map
+#define MATERIAL_TRANSMISSIVE 32u
+#define MATERIAL_THIN 64u  // transmissive, a wall without an inside
+#define MATERIAL_COATED 128u
 #define MATERIAL_TEXTURES_SHIFT 8  // from this bit on: which of the textures exist
 
 // GpuTexture::sampling: bits 0..1 wrap u, 2..3 wrap v (0 repeat, 1 mirror, 2 clamp), 4 nearest magnification,
@@ -53,12 +56,18 @@ struct GpuMaterial {
   float dielectricF0;
   float mirror;
   uint flags;
-  uint padding0;
+  float ior;
   uint alphaFirst;  // MATERIAL_CUT: the base color texture's first alpha of all, and its size
   uint alphaWidth;
   uint alphaHeight;
-  uint padding1;
-  GpuTexture textures[7];  // TEXTURE_BASE_COLOR ...
+  float transmission;
+  vec3 absorption;  // per meter inside
+  float dispersion;
+  float thickness;
+  float coat;
+  float coatRoughness;
+  float coatNormalScale;
+  GpuTexture textures[12];  // TEXTURE_BASE_COLOR ...
 };
 #define TEXTURE_BASE_COLOR 0
 #define TEXTURE_METALLIC_ROUGHNESS 1
@@ -67,6 +76,12 @@ struct GpuMaterial {
 #define TEXTURE_EMISSIVE 4
 #define TEXTURE_SPECULAR 5
 #define TEXTURE_SPECULAR_COLOR 6
+#define TEXTURE_TRANSMISSION 7
+#define TEXTURE_THICKNESS 8
+#define TEXTURE_CLEARCOAT 9
+#define TEXTURE_CLEARCOAT_ROUGHNESS 10
+#define TEXTURE_CLEARCOAT_NORMAL 11
+#define TEXTURE_USES 12
 
 // Lights lie in three ranges, each of one kind: direct ones (LIGHT_...), then directions that stand for a part of the
 // sky each, with shadows, then halves of the sphere, evenly bright around their direction, without; of these all but

@@ -72,6 +72,123 @@ TEST(GltfMaterial, FactorsAndFlags) {
   EXPECT_EQ(material.specularColor, glm::vec3(1, 0.5f, 2));
 }
 
+TEST(GltfMaterial, TransmissionAndVolume) {
+  GltfFile file = square();
+  file.root["extensionsRequired"] = {"KHR_materials_transmission", "KHR_materials_volume", "KHR_materials_dispersion"};
+  file.root["extensionsUsed"] = file.root["extensionsRequired"];
+  file.add("materials",
+           {{"extensions",
+             {{"KHR_materials_transmission", {{"transmissionFactor", 0.75}}},
+              {"KHR_materials_volume",
+               {{"thicknessFactor", 0.5}, {"attenuationDistance", 2.5}, {"attenuationColor", {0.25, 0.5, 1}}}},
+              {"KHR_materials_dispersion", {{"dispersion", 0.4}}}}}});
+  const Model model = load(file);
+  const Material& material = model.scene.materials.at(0);
+  EXPECT_EQ(material.transmission, 0.75f);
+  EXPECT_EQ(material.thickness, 0.5f);
+  EXPECT_EQ(material.attenuationDistance, 2.5f);
+  EXPECT_EQ(material.attenuationColor, glm::vec3(0.25f, 0.5f, 1));
+  EXPECT_EQ(material.dispersion, 0.4f);
+  EXPECT_FALSE(warns(model, "extension"));
+  EXPECT_FALSE(warns(model, "KHR_"));
+}
+
+TEST(GltfMaterial, Clearcoat) {
+  GltfFile file = square();
+  file.root["extensionsRequired"] = {"KHR_materials_clearcoat"};
+  file.root["extensionsUsed"] = file.root["extensionsRequired"];
+  file.add("materials",
+           {{"extensions",
+             {{"KHR_materials_clearcoat", {{"clearcoatFactor", 0.75}, {"clearcoatRoughnessFactor", 0.125}}}}}});
+  const Model model = load(file);
+  EXPECT_EQ(model.scene.materials.at(0).coat, 0.75f);
+  EXPECT_EQ(model.scene.materials.at(0).coatRoughness, 0.125f);
+  EXPECT_EQ(model.scene.materials.at(0).coatNormalScale, 1);
+  EXPECT_FALSE(warns(model, "extension"));
+}
+
+TEST(GltfMaterial, LayersThatAreNotNamedAreNotThere) {
+  GltfFile file = square();
+  file.add("materials", {{"name", "plain"}});
+  file.add("materials", {{"extensions",
+                          {{"KHR_materials_transmission", json::object()},
+                           {"KHR_materials_volume", json::object()},
+                           {"KHR_materials_dispersion", json::object()},
+                           {"KHR_materials_clearcoat", json::object()}}}});
+  for (const Material& material : load(file).scene.materials) {
+    EXPECT_EQ(material.transmission, 0);
+    EXPECT_EQ(material.thickness, 0);
+    EXPECT_TRUE(std::isinf(material.attenuationDistance));
+    EXPECT_EQ(material.attenuationColor, glm::vec3(1));
+    EXPECT_EQ(material.dispersion, 0);
+    EXPECT_EQ(material.coat, 0);
+    EXPECT_EQ(material.coatRoughness, 0);
+    EXPECT_EQ(material.coatNormalTexture.texture, -1);
+  }
+}
+
+TEST(GltfMaterial, LayersBeyondTheirRangeAreClampedAndNamed) {
+  GltfFile file = square();
+  file.add("materials",
+           {{"extensions",
+             {{"KHR_materials_transmission", {{"transmissionFactor", 1.5}}},
+              {"KHR_materials_volume",
+               {{"thicknessFactor", -1}, {"attenuationDistance", 0}, {"attenuationColor", {0.5, -1, 2}}}},
+              {"KHR_materials_dispersion", {{"dispersion", -0.1}}},
+              {"KHR_materials_clearcoat", {{"clearcoatFactor", -0.5}, {"clearcoatRoughnessFactor", 3}}}}}});
+  const Model model = load(file);
+  const Material& material = model.scene.materials.at(0);
+  EXPECT_EQ(material.transmission, 1);
+  EXPECT_EQ(material.thickness, 0);
+  EXPECT_GT(material.attenuationDistance, 0);
+  EXPECT_EQ(material.attenuationColor, glm::vec3(0.5f, 0, 1));
+  EXPECT_EQ(material.dispersion, 0);
+  EXPECT_EQ(material.coat, 0);
+  EXPECT_EQ(material.coatRoughness, 1);
+  for (const char* field : {"transmissionFactor", "thicknessFactor", "attenuationDistance", "attenuationColor",
+                            "dispersion", "clearcoatFactor", "clearcoatRoughnessFactor"})
+    EXPECT_TRUE(warns(model, std::string(field) + " is out of range and was clamped: materials[0]")) << field;
+}
+
+TEST(GltfMaterial, TexturesOfLayersAreData) {
+  const json info = {{"index", 0}, {"texCoord", 1}};
+  const Model model =
+      load(textured({{"extensions",
+                      {{"KHR_materials_transmission", {{"transmissionFactor", 1}, {"transmissionTexture", info}}},
+                       {"KHR_materials_volume", {{"thicknessFactor", 1}, {"thicknessTexture", info}}},
+                       {"KHR_materials_clearcoat",
+                        {{"clearcoatFactor", 1},
+                         {"clearcoatTexture", info},
+                         {"clearcoatRoughnessTexture", info},
+                         {"clearcoatNormalTexture", {{"index", 0}, {"scale", 0.5}}}}}}}}));
+  const Material& material = model.scene.materials.at(0);
+  EXPECT_EQ(material.coatNormalScale, 0.5f);
+  EXPECT_EQ(material.coatNormalTexture.uvSet, 0);
+  ASSERT_EQ(model.scene.textures.size(), 1u);
+  EXPECT_FALSE(model.scene.textures[0]->srgb);
+  for (const TextureUse* use : {&material.transmissionTexture, &material.thicknessTexture, &material.coatTexture,
+                                &material.coatRoughnessTexture}) {
+    EXPECT_EQ(use->texture, 0);
+    EXPECT_EQ(use->uvSet, 1);
+  }
+  EXPECT_EQ(material.coatNormalTexture.texture, 0);
+  EXPECT_EQ(material.normalTexture.texture, -1);
+}
+
+TEST(GltfMaterial, ATextureOfALayerThatDoesNotExistIsNamed) {
+  GltfFile file = textured(
+      {{"extensions",
+        {{"KHR_materials_clearcoat", {{"clearcoatFactor", 1}, {"clearcoatRoughnessTexture", {{"index", 7}}}}}}}});
+  try {
+    load(file);
+    FAIL() << "loaded";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::badInput);
+    EXPECT_NE(std::string(error.what()).find("materials[0].clearcoatRoughnessTexture"), std::string::npos)
+        << error.what();
+  }
+}
+
 TEST(GltfMaterial, BlendSaysHowItIsDrawn) {
   GltfFile file = square();
   file.add("materials", {{"name", "glass"}, {"alphaMode", "BLEND"}});
@@ -190,6 +307,13 @@ TEST(GltfMaterial, TangentsAreMadeForNormalMaps) {
     // Green is up: the bitangent points against growing v.
     EXPECT_EQ(vertex.tangent.w, 1);
   }
+}
+
+TEST(GltfMaterial, TangentsAreMadeForTheNormalMapOfACoat) {
+  const Model model =
+      load(textured({{"extensions", {{"KHR_materials_clearcoat", {{"clearcoatNormalTexture", {{"index", 0}}}}}}}}));
+  for (const Vertex& vertex : model.scene.vertices)
+    EXPECT_LT(glm::distance(glm::vec3(vertex.tangent), glm::vec3(1, 0, 0)), 1e-6f);
 }
 
 TEST(GltfMaterial, MirroredTextureCoordinatesSplitVertices) {

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -62,7 +63,8 @@ enum class AlphaMode {
          // so that plain glass stays visible)
 };
 
-// glTF metallic-roughness with KHR_materials_ior, _specular, _emissive_strength and _unlit.
+// glTF metallic-roughness with KHR_materials_ior, _specular, _emissive_strength, _unlit, _transmission, _volume,
+// _dispersion and _clearcoat.
 struct Material {
   std::string name;
   glm::vec4 baseColor{1};
@@ -78,8 +80,19 @@ struct Material {
   AlphaMode alphaMode = AlphaMode::opaque;
   bool doubleSided = false;
   bool unlit = false;
+  // Of the light that enters a dielectric: the share that passes through instead of being scattered back, 0..1.
+  float transmission = 0;
+  // Meters. 0: a thin wall, which bends no ray and has no inside; else the triangles close a volume, whose thickness
+  // rays measure themselves.
+  float thickness = 0;
+  glm::vec3 attenuationColor{1};  // of white light after attenuationDistance meters inside
+  float attenuationDistance = std::numeric_limits<float>::infinity();
+  float dispersion = 0;  // 20 / Abbe number
+  float coat = 0;        // share of the surface under the clear coat, 0..1; the coat's index of refraction is 1.5
+  float coatRoughness = 0;
+  float coatNormalScale = 1;
   // Reflectance at normal incidence, 0..1, in place of the material's own; also makes roughness 0 and drops the normal
-  // map. See --mirror.
+  // map, coat and transmission. See --mirror.
   std::optional<float> mirror;
 
   TextureUse baseColorTexture;          // sRGB
@@ -89,6 +102,11 @@ struct Material {
   TextureUse emissiveTexture;       // sRGB
   TextureUse specularTexture;       // a
   TextureUse specularColorTexture;  // sRGB
+  TextureUse transmissionTexture;   // r
+  TextureUse thicknessTexture;      // g
+  TextureUse coatTexture;           // r
+  TextureUse coatRoughnessTexture;  // g
+  TextureUse coatNormalTexture;     // the coat has the plain normal without it, whatever normalTexture says
 };
 
 enum class LightType { directional, point, spot };

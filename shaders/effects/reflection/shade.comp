@@ -57,6 +57,7 @@ Surface storedSurface(uint index, Ray ray, Hit hit) {
   // The stored reflectivity holds what the roughness texture said.
   float fade = clamp(s.reflectivity / max(luminance(s.f0), 1e-6), 0.0, 1.0);
   s.roughness = fade > 0.0 ? (1.0 - fade) * frame.maxRoughness : max(s.roughness, frame.maxRoughness);
+  leaveOutLayers(s);
   return s;
 }
 #endif
@@ -97,7 +98,8 @@ void main() {
 #ifdef HIT_SURFACES
   Surface s = storedSurface(index, ray, hit);
 #else
-  Surface s = evaluateSurface(hit.triangle, vec2(hit.u, hit.v), direction, pathLength * frame.pixelCone);
+  Surface s = evaluateSurface(hit.triangle, vec2(hit.u, hit.v), direction, pathLength * frame.pixelCone,
+                              BASE_TEXTURES);
 #endif
   vec4 lit = directLighting(s, -direction);
   vec3 radiance = lit.rgb;
