@@ -35,9 +35,11 @@ void FrameRecord::end(const Frame& frame, const Tracer* tracer, const MemoryRepo
     memory_ = tracer->memory();
     for (const RayBatch& batch : frame.batches)
       firstCounts_.push_back(readback_.copy<shared::RayCount>(batch.rays.count));
-    for (int i = 0; i < std::min(frame.settings.trace.bounces - 1, 2); ++i)
-      laterCounts_.push_back(readback_.copy<shared::RayCount>(frame.queues[static_cast<std::size_t>(i)].count));
-    contributions_ = readback_.copy<std::uint32_t>(frame.effect.contributions.counts, CONTRIBUTION_CLASSES);
+    for (const RayQueue& queue : frame.queues)
+      if (queue.count) laterCounts_.push_back(readback_.copy<shared::RayCount>(queue.count));
+    if (frame.effect.contributions.counts)
+      contributions_ = readback_.copy<std::uint32_t>(frame.effect.contributions.counts, CONTRIBUTION_CLASSES);
+    known_.passes = frame.passes.summed + frame.passes.count;
     const TracerCounts counts = tracer->counts();
     if (counts.buffer) {
       buildCounts_ = readback_.copy<std::uint32_t>(*counts.buffer, counts.buffer->bytes() / sizeof(std::uint32_t));
@@ -51,14 +53,19 @@ FrameReport FrameRecord::report() {
   if (reported_) return known_;
   if (!readback_.ready()) readback_.wait();
   for (const gl::SectionTime& time : profiler_.collect()) known_.times.push_back({time.name, time.milliseconds});
-  for (const auto& slice : laterCounts_) known_.overflow += readback_.values(slice)[0].overflow;
+  for (const auto& slice : laterCounts_) {
+    const shared::RayCount& later = readback_.values(slice)[0];
+    known_.overflow += later.overflow;
+    for (std::size_t kind = 0; kind < known_.rays.size(); ++kind) known_.rays[kind] += later.byKind[kind];
+  }
   for (const auto& slice : firstCounts_) {
     const shared::RayCount& first = readback_.values(slice)[0];
     known_.overflow += first.overflow;
     known_.selected += first.count;
     known_.reflecting += first.reflecting;
+    if (first.source == RAYS_OF_PIXELS) known_.rays[RAY_REFLECTION] += first.count;
   }
-  if (!firstCounts_.empty()) {
+  if (contributions_.count) {
     const std::span<const std::uint32_t> classes = readback_.values(contributions_);
     known_.contributions.assign(classes.begin(), classes.end());
   }

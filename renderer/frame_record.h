@@ -10,6 +10,7 @@
 #include <halfsilver/products.h>
 #include <halfsilver/renderer.h>
 #include <halfsilver/tracer.h>
+#include "effects/ray_effect.h"
 
 namespace halfsilver {
 
@@ -24,6 +25,7 @@ struct PictureUse {
   bool first = true;   // nothing that was drawn before goes into the picture
   bool still = false;  // temporal: nothing has changed since the frame before
   glm::vec2 jitter{0};
+  RayPasses passes{};  // of its effect
 };
 
 // Everything that one frame owns, so that two can be under way. The batches of first rays stay until the next frame,
@@ -33,6 +35,7 @@ struct Frame {
   shared::FrameConstants host{};
   Settings settings;
   PictureUse use;
+  RayPasses passes;
   GBuffer gbuffer;
   EffectFrame effect;
   std::vector<RayBatch> batches;

@@ -29,18 +29,34 @@ Settings ofHistory(Settings settings) {
 PictureUse Picture::begin(const Camera& camera, const Settings& settings, const glm::ivec2& size,
                           const std::optional<std::uint32_t>& sample) {
   View view{{ofRadiance(settings), size}, camera};
+  const auto passes = static_cast<std::uint32_t>(settings.effect.passes);
   if (sample) {
     history_.reset();
+    refined_.reset();
     const bool first = samplesOf_ != view;
     samplesOf_ = std::move(view);
-    return {.kind = PictureUse::Kind::sample, .first = first, .jitter = sampleOffset(*sample)};
+    return {.kind = PictureUse::Kind::sample,
+            .first = first,
+            .jitter = sampleOffset(*sample),
+            .passes = {.first = *sample * passes, .count = passes}};
   }
   if (settings.image.antialiasing == Antialiasing::temporal) return beginTemporal(std::move(view));
   history_.reset();  // motion is known from one frame to the next
-  return {};
+  if (!settings.effect.progressive) {
+    refined_.reset();
+    return {.passes = {.count = passes}};
+  }
+  if (refined_ && refined_->view == view) {
+    refined_->passes += passes;
+  } else {
+    refined_ = Refined{.view = std::move(view), .passes = passes};
+  }
+  const std::uint32_t before = refined_->passes - passes;
+  return {.passes = {.first = before, .count = passes, .summed = before}};
 }
 
 PictureUse Picture::beginTemporal(View view) {
+  refined_.reset();
   Subject subject{ofHistory(view.subject.settings), view.subject.size};
   PictureUse use{.kind = PictureUse::Kind::temporal};
   use.first = !history_ || history_->subject != subject;
@@ -52,18 +68,22 @@ PictureUse Picture::beginTemporal(View view) {
     use.still = history_->unsettled == 0;
   }
   history_->changed = false;
+  const auto passes = static_cast<std::uint32_t>(view.subject.settings.effect.passes);
   history_->last = std::move(view);
+  use.passes = {.first = history_->frames * passes, .count = passes};
   use.jitter = sampleOffset(history_->frames++);
   return use;
 }
 
 void Picture::changed() {
   samplesOf_.reset();
+  refined_.reset();
   if (history_) history_->changed = true;
 }
 
 void Picture::forget() {
   samplesOf_.reset();
+  refined_.reset();
   history_.reset();
 }
 
@@ -81,7 +101,7 @@ void Picture::show(const FrameView& view, const Frame& frame, const gl::Buffer& 
   if (frame.use.kind == PictureUse::Kind::temporal) {
     using Past = TemporalPass::Past;
     temporal_.begin(view);
-    if (previousPositions)  // none if a frame of another kind has begun since
+    if (previousPositions && frame.host.allLight == 0)  // none if a frame of another kind has begun since
       for (const RayBatch& batch : frame.batches) temporal_.follow(view, batch, previousPositions);
     temporal_.run(view, frame.use.first ? Past::none : frame.use.still ? Past::still : Past::moving);
     display_.run(view, joined(), DisplayPass::Output::display, target);

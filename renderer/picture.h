@@ -58,6 +58,12 @@ class Picture {
     bool changed = false;
   };
 
+  // A picture of one frame after the other, of the passes of all (effect.progressive).
+  struct Refined {
+    View view;
+    std::uint32_t passes = 0;
+  };
+
   PictureUse beginTemporal(View view);
   DisplayPass::Source meanOfSamples() const {
     return {samples_.sum, nullptr, 1.0f / static_cast<float>(samples_.samples)};
@@ -72,6 +78,7 @@ class Picture {
   Accumulation samples_;
   std::optional<View> samplesOf_;
   std::optional<History> history_;
+  std::optional<Refined> refined_;
 };
 
 }  // namespace halfsilver

@@ -45,6 +45,13 @@ void Renderer::Impl::drawShadows(const Settings& wanted, gl::Profiler& profiler)
   shadowChange = {.everything = false, .moved = {}};
 }
 
+void Renderer::Impl::useEffect(Effect wanted) {
+  if (effectName == wanted) return;
+  effectName.reset();
+  effect = makeEffect(api, wanted);
+  effectName = wanted;
+}
+
 // Of a batch: what belongs to its rays fits one storage block each.
 std::uint32_t Renderer::Impl::maxRays(const Settings& wanted) const {
   static_assert(sizeof(shared::Radiance) <= sizeof(shared::Hit) && sizeof(shared::PausedRay) <= sizeof(shared::Hit));
@@ -55,10 +62,10 @@ std::uint32_t Renderer::Impl::maxRays(const Settings& wanted) const {
       static_cast<std::uint64_t>(api.limits.storageBlockBytes) / bytes, std::numeric_limits<std::uint32_t>::max()));
 }
 
-void Renderer::Impl::reserveHits(const RayQueue& rays, Hits& hits) const {
+void Renderer::Impl::reserveHits(const RayQueue& rays, bool attributes, Hits& hits) const {
   const std::size_t hitBytes = rays.capacity * sizeof(shared::Hit);
   if (hits.hits.bytes() != hitBytes) hits.hits = gl::Buffer(api, hitBytes, "hits");
-  const std::size_t surfaceBytes = tracer->storesAttributes() ? rays.capacity * sizeof(shared::HitSurface) : 0;
+  const std::size_t surfaceBytes = attributes ? rays.capacity * sizeof(shared::HitSurface) : 0;
   if (hits.surfaces.bytes() != surfaceBytes) hits.surfaces = gl::Buffer(api, surfaceBytes, "hit surfaces");
 }
 
@@ -66,27 +73,42 @@ void Renderer::Impl::reserveHits(const RayQueue& rays, Hits& hits) const {
 void Renderer::Impl::submitBatch(const FrameView& view, Frame& frame, std::size_t number) {
   RayBatch& batch = frame.batches[number];
   effect->spawn(view, static_cast<int>(number), static_cast<int>(frame.batches.size()), batch.rays, frame.effect);
-  reserveHits(batch.rays, batch.hits);
-  tracer->submit(view, batch.rays, batch.hits);
+  reserveHits(batch.rays, tracer->storesAttributes() && !effect->startsAtCamera(), batch.hits);
+  if (effect->startsAtCamera())
+    effect->firstHits(view, batch.rays, batch.hits);
+  else
+    tracer->submit(view, batch.rays, batch.hits);
 }
 
 // The hits of a batch and of all generations after it, into the picture.
-void Renderer::Impl::finishBatch(const FrameView& view, Frame& frame, RayBatch& batch) {
+void Renderer::Impl::finishBatch(const FrameView& view, Frame& frame, std::size_t number) {
+  RayBatch& batch = frame.batches[number];
   effect->measure(view, batch.rays, frame.effect);
-  tracer->collect(view, batch.rays, batch.hits);
+  if (!effect->startsAtCamera()) tracer->collect(view, batch.rays, batch.hits);
+  for (std::uint32_t pass = 0; pass < frame.passes.count; ++pass)
+    runPass(view, frame, batch,
+            {.pass = frame.passes.first + pass,
+             .begins = frame.passes.summed + pass == 0,
+             .batch = static_cast<int>(number)});
+  effect->resolve(view, frame.settings, batch.rays, frame.passes, static_cast<int>(number), frame.effect,
+                  frame.gbuffer);
+}
+
+// All generations of a batch.
+void Renderer::Impl::runPass(const FrameView& view, Frame& frame, RayBatch& batch, RayStep step) {
   const int generations = effect->generations(frame.settings);
   for (int generation = 0; generation < generations; ++generation) {
+    step.generation = generation;
     const bool last = generation + 1 == generations;
     const RayQueue& rays = generation == 0 ? batch.rays : frame.queues[static_cast<std::size_t>((generation - 1) % 2)];
     RayQueue& next = frame.queues[static_cast<std::size_t>(generation % 2)];
     Hits& hits = generation == 0 ? batch.hits : frame.hits;
     if (generation > 0) {
-      reserveHits(rays, hits);
+      reserveHits(rays, tracer->storesAttributes(), hits);
       tracer->trace(view, rays, hits);
     }
-    effect->shade(view, rays, hits, generation, last ? nullptr : &next, frame.effect);
+    effect->shade(view, frame.settings, rays, hits, step, last ? nullptr : &next, frame.effect);
   }
-  effect->resolve(view, batch.rays, frame.effect, frame.gbuffer);
 }
 
 // The stages of README.md up to the rays.
@@ -95,9 +117,10 @@ void Renderer::Impl::begin(const Camera& camera, const Settings& wanted, int wid
   if (!hasScene) throw Error(ErrorKind::usage, "begin() needs a scene: call setScene() first");
   if (underWay.size() == kFrames)
     throw Error(ErrorKind::usage, "begin(): two frames are under way, finish() one first");
-  if (!underWay.empty() && (!sameTracer(api, *tracerSettings, wanted, methods) || shadowSettings != wanted.shadow))
+  if (!underWay.empty() && (!sameTracer(api, *tracerSettings, wanted, methods) || shadowSettings != wanted.shadow ||
+                            effectName != wanted.trace.effect))
     throw Error(ErrorKind::usage,
-                "begin(): the settings need another tracer or other shadow maps while a frame is under way");
+                "begin(): the settings need another tracer, effect or shadow maps while a frame is under way");
   if (width < 1 || height < 1 || width > api.limits.framebufferSize || height > api.limits.framebufferSize)
     throw Error(ErrorKind::usage, "a picture of " + std::to_string(width) + " x " + std::to_string(height) +
                                       " is beyond the device's limits (1 to " +
@@ -119,13 +142,19 @@ void Renderer::Impl::start(const Work& work, const Camera& camera, const Setting
   record.begin();
   const auto section = record.profiler().section("frame");
   useTracer(wanted);
+  useEffect(wanted.trace.effect);
   if (rig) posePass.run(*rig, scene, wanted.scene.posing, record.profiler());
   drawShadows(wanted, record.profiler());
   const PictureUse use = picture.begin(camera, wanted, size, sample);
-  const shared::FrameConstants constants =
+  shared::FrameConstants constants =
       makeFrameConstants(camera, scene.extents.bounds(), sky, wanted, size.x, size.y, shadows.ranges, use.jitter);
+  constants.allLight = effect->bringsAllLight() ? 1 : 0;
+  constants.firstPass = use.passes.first;
+  constants.traces = static_cast<std::uint32_t>(effect->generations(wanted) - (effect->startsAtCamera() ? 1 : 0));
+  constants.traces *= use.passes.count;
   if (shown == work.frame) shown.reset();
   frame.use = use;
+  frame.passes = use.passes;
   frame.settings = wanted;
   frame.host = constants;
   if (!frame.constants) frame.constants = gl::Buffer(api, sizeof(frame.host), "frame constants");
@@ -144,7 +173,7 @@ void Renderer::Impl::start(const Work& work, const Camera& camera, const Setting
     for (RayQueue& queue : frame.queues)
       if (queue.count) queue.count.fill(0);  // overflow adds up over the generations that share a queue
     tracer->update(view, change);
-    frame.batches.resize(static_cast<std::size_t>(effect->batches(frame.gbuffer, maxRays(wanted))));
+    frame.batches.resize(static_cast<std::size_t>(effect->batches(frame.gbuffer, wanted, maxRays(wanted))));
   } else {
     frame.batches.clear();  // no memory for rays that nobody traces
   }
@@ -171,7 +200,7 @@ void Renderer::Impl::finish(const Target& target) {
     if (tracer) {
       for (std::size_t number = 0; number < frame.batches.size(); ++number) {
         if (number > 0) submitBatch(view, frame, number);
-        finishBatch(view, frame, frame.batches[number]);
+        finishBatch(view, frame, number);
       }
     }
     picture.show(view, frame, motionPass.previousPositions(), target);
@@ -188,7 +217,7 @@ void Renderer::Impl::finish(const Target& target) {
   held.textures = scene.textureBytes();
   held.shadowMaps = shadows.bytes();
   held.geometry += motionPass.bytes() + (rig ? rig->bytes() : 0);
-  held.pictures = picture.bytes();
+  held.pictures = picture.bytes() + effect->bytes();
   held.peak = held.geometry + held.textures + held.shadowMaps + held.pictures;
   for (const Frame& each : frames) {
     held.queues += each.bytes() - each.gbuffer.bytes();

@@ -40,7 +40,8 @@ struct Renderer::Impl {
   MotionPass motionPass{api};
   ShadePass shadePass{api};
   Picture picture{api};
-  std::unique_ptr<RayEffect> effect = makeEffect(api, {});
+  std::unique_ptr<RayEffect> effect;
+  std::optional<Effect> effectName;
 
   GpuScene scene;
   std::optional<GpuRig> rig;  // of setModel()
@@ -77,11 +78,13 @@ struct Renderer::Impl {
   bool keepsWork() const;
   std::vector<shared::RayWork> readWork();
   void useTracer(const Settings& wanted);
+  void useEffect(Effect wanted);
   void drawShadows(const Settings& wanted, gl::Profiler& profiler);
   std::uint32_t maxRays(const Settings& wanted) const;
-  void reserveHits(const RayQueue& rays, Hits& hits) const;
+  void reserveHits(const RayQueue& rays, bool attributes, Hits& hits) const;
   void submitBatch(const FrameView& view, Frame& frame, std::size_t number);
-  void finishBatch(const FrameView& view, Frame& frame, RayBatch& batch);
+  void finishBatch(const FrameView& view, Frame& frame, std::size_t number);
+  void runPass(const FrameView& view, Frame& frame, RayBatch& batch, RayStep step);
   void begin(const Camera& camera, const Settings& wanted, int width, int height,
              const std::optional<std::uint32_t>& sample = {});
   void start(const Work& work, const Camera& camera, const Settings& wanted, const glm::ivec2& size,

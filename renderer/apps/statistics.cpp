@@ -1,6 +1,7 @@
 #include "apps/statistics.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -58,6 +59,9 @@ std::string megabytes(std::uint64_t bytes) { return format("%.2f MB", static_cas
 double coverage(const FrameReport& report) {
   return report.pixels ? static_cast<double>(report.selected) / static_cast<double>(report.pixels) : 0;
 }
+
+// Names of FrameReport::rays, of the kinds that there are.
+constexpr std::array kRayKinds{"reflection", "refraction", "shadow", "occlusion", "scattered", "through"};
 
 // null: no such limit was given.
 Json budgetJson(const BudgetSummary& budget) {
@@ -139,6 +143,8 @@ Json toJson(const RunStatistics& s) {
                     {"selected", s.report.selected},
                     {"coverage", coverage(s.report)},
                     {"samples", s.samples}};
+  json["pixels"]["passes"] = s.report.passes;
+  for (std::size_t kind = 0; kind < kRayKinds.size(); ++kind) json["rays"][kRayKinds[kind]] = s.report.rays[kind];
   json["memory"] = {{"voxels", memory.voxels},
                     {"heads", memory.heads},
                     {"pool_reserved", memory.poolReserved},

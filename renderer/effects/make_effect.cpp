@@ -1,10 +1,25 @@
+#include <array>
+#include <utility>
+
+#include "effects/occlusion/occlusion_effect.h"
 #include "effects/ray_effect.h"
 #include "effects/reflection/reflection_effect.h"
 
 namespace halfsilver {
+namespace {
 
-std::unique_ptr<RayEffect> makeEffect(const gl::Api& api, const Settings&) {
-  return std::make_unique<ReflectionEffect>(api);
+template <class T>
+std::unique_ptr<RayEffect> make(const gl::Api& api) {
+  return std::make_unique<T>(api);
+}
+
+// In the order of the enumerators.
+constexpr std::array kEffects{make<ReflectionEffect>, make<OcclusionEffect>};
+
+}  // namespace
+
+std::unique_ptr<RayEffect> makeEffect(const gl::Api& api, Effect effect) {
+  return kEffects[static_cast<std::size_t>(effect)](api);
 }
 
 }  // namespace halfsilver

@@ -7,43 +7,67 @@
 
 namespace halfsilver {
 
+// Passes of rays whose light a frame shows as their mean.
+struct RayPasses {
+  std::uint32_t first = 0;  // the number of the frame's first, which chooses its random numbers
+  std::uint32_t count = 1;
+  std::uint32_t summed = 0;  // of frames before, which are in the picture, too
+};
+
+// Where a frame is among its rays.
+struct RayStep {
+  int generation = 0;      // 0: first rays
+  std::uint32_t pass = 0;  // its number
+  bool begins = true;      // it is the first of the picture
+  int batch = 0;
+};
+
 // An effect turns a G-buffer into rays and their hits into light: one folder under effects/ each, on any Tracer. Rays
 // of one frame come in several batches if a storage block cannot hold what belongs to all; each goes through
 //
-//   spawn(), measure(), then for each generation: Tracer::trace() and shade(), then resolve().
+//   spawn(), measure(), then per pass and generation: Tracer::trace() and shade(), then resolve().
 //
 // Every call binds what its shaders read and starts from no state.
 class RayEffect {
  public:
   virtual ~RayEffect() = default;
 
-  // How many batches a frame needs so that none has more than `maxRays`; one queue holds a batch.
-  virtual int batches(const GBuffer& gbuffer, std::uint32_t maxRays) const = 0;
+  // How many batches a frame needs so that none of its queues has more than `maxRays`.
+  virtual int batches(const GBuffer& gbuffer, const Settings& settings, std::uint32_t maxRays) const = 0;
   // How many times hits may send on rays, the first rays included: at least 1.
   virtual int generations(const Settings& settings) const = 0;
+
+  // Whether what a pixel's rays bring is all of its light. If not, it is the share that the surface reflects.
+  virtual bool bringsAllLight() const { return false; }
+  // Whether first rays are the camera's, which firstHits() answers; otherwise a tracer does.
+  virtual bool startsAtCamera() const { return false; }
 
   // Fills the queue with batch number `batch` of `batches`: first rays, their count and the size of their dispatch.
   // The G-buffer is shaded if spawnReadsShading(). Batch 0 begins the contributions, which all batches count. Allocates
   // what is too small.
   virtual void spawn(const FrameView& view, int batch, int batches, RayQueue& out, EffectFrame& frame) = 0;
+  virtual void firstHits(const FrameView&, const RayQueue&, Hits&) {}
 
   // Whether rays cannot be spawned before the G-buffer is shaded.
-  virtual bool spawnReadsShading(const Settings& settings) const = 0;
+  virtual bool spawnReadsShading(const Settings&) const { return false; }
 
   // What reports want to know of the first rays of a batch and only the shaded G-buffer tells.
-  virtual void measure(const FrameView& view, const RayQueue& first, EffectFrame& frame) = 0;
+  virtual void measure(const FrameView&, const RayQueue&, EffectFrame&) {}
 
-  // Adds the light of the hits to the rays' slots, which generation 0 begins. `next` receives the rays of the next
-  // generation, with their count and dispatch, and grows to hold as many as there can be; it is null in the last
-  // generation.
-  virtual void shade(const FrameView& view, const RayQueue& rays, const Hits& hits, int generation, RayQueue* next,
-                     EffectFrame& frame) = 0;
+  // Adds the light of the hits to what their pixels have. `next` receives the rays of the next generation, with their
+  // count and dispatch, and grows to hold as many as there can be; it is null in the last generation.
+  virtual void shade(const FrameView& view, const Settings& settings, const RayQueue& rays, const Hits& hits,
+                     const RayStep& step, RayQueue* next, EffectFrame& frame) = 0;
 
-  // Brings the light of a batch's slots to the pixels. `first` is the queue that spawn() filled.
-  virtual void resolve(const FrameView& view, const RayQueue& first, const EffectFrame& frame, GBuffer& gbuffer) = 0;
+  // Brings the light of a batch to the pixels. `first` is the queue that spawn() filled.
+  virtual void resolve(const FrameView& view, const Settings& settings, const RayQueue& first, const RayPasses& passes,
+                       int batch, const EffectFrame& frame, GBuffer& gbuffer) = 0;
+
+  // Of what it keeps from frame to frame.
+  virtual std::uint64_t bytes() const { return 0; }
 };
 
-// The effect that the settings name.
-std::unique_ptr<RayEffect> makeEffect(const gl::Api& api, const Settings& settings);
+// The effect of that name.
+std::unique_ptr<RayEffect> makeEffect(const gl::Api& api, Effect effect);
 
 }  // namespace halfsilver

@@ -136,7 +136,10 @@ shared::FrameConstants makeFrameConstants(const Camera& camera, const Bounds& bo
   static_assert(FILL_SKY == static_cast<int>(Fill::sky) && FILL_NEIGHBORS == static_cast<int>(Fill::neighbours));
   const bool traces = settings.select.mode != SelectMode::none && settings.trace.method != "none";
   frame.fill = traces ? static_cast<std::uint32_t>(settings.select.fill) : FILL_SKY;
-  frame.bounces = static_cast<std::uint32_t>(settings.trace.bounces);
+  frame.traces = static_cast<std::uint32_t>(settings.trace.bounces);
+  frame.effect = static_cast<std::uint32_t>(settings.trace.effect);
+  frame.effectSamples = static_cast<std::uint32_t>(settings.effect.samples);
+  frame.occlusionRadius = settings.effect.radius > 0 ? settings.effect.radius : FAR_AWAY;
   frame.jitter = jitter;
   return frame;
 }

@@ -18,8 +18,17 @@ Ray mirrorRay(uint number) {
   return Ray(position, FAR_AWAY, direction, texelFetch(gVisibility, pixel, 0).x - 1u);
 }
 
+// From the eye to the pixel's surface.
+Ray cameraRay(uint number) {
+  ivec2 pixel = ivec2(number % frame.width, number / frame.width);
+  vec3 position = texelFetch(gPosition, pixel, 0).xyz;
+  precise vec3 direction = normalize(position - frame.eye);
+  return Ray(frame.eye, FAR_AWAY, direction, NO_TRIANGLE);
+}
+
 // source: RayCount::source.
 Ray queuedRay(uint index, uint source) {
+  if (source == RAYS_OF_CAMERA) return cameraRay(pixelOfRay(index));
   if (source == RAYS_OF_PIXELS) return mirrorRay(pixelOfRay(index));
   uvec4 start = rayRows[2u * index], way = rayRows[2u * index + 1u];
   return Ray(uintBitsToFloat(start.xyz), uintBitsToFloat(start.w), uintBitsToFloat(way.xyz), way.w);

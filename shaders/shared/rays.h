@@ -19,6 +19,7 @@ struct Ray {
 // RayCount::source: what SSBO_RAYS holds of a queue's rays.
 #define RAYS_STORED 0u     // Ray[], with a RayPath[] at the same index
 #define RAYS_OF_PIXELS 1u  // uint[]: pixels, as RayPath::pixel; mirror rays that start on the G-buffer's surfaces
+#define RAYS_OF_CAMERA 2u  // uint[]: pixels; rays from the eye to the G-buffer's surfaces
 
 // What an effect knows of a stored ray, at the same index.
 struct RayPath {
@@ -30,6 +31,29 @@ struct RayPath {
   uint padding;
 };
 #define RAY_REFLECTION 0u
+#define RAY_REFRACTION 1u
+#define RAY_SHADOW 2u
+#define RAY_OCCLUSION 3u
+#define RAY_SCATTERED 4u  // a path's next stretch
+#define RAY_THROUGH 5u    // the camera's, behind what it has met
+#define RAY_KINDS 8
+
+// The same of a ray whose light is added to its pixel's LightSum. As large as a RayPath, the pixel in the same place.
+struct ScatteredPath {
+  vec3 throughput;    // a shadow ray's: the light that it brings if nothing is in its way
+  float pathLength;   // as above
+  uint pixel;         // as above
+  uint kindAndSample; // RAY_... | sample << 8
+  uint media;         // that the ray is in, see effects/whitted
+  float density;      // of choosing the direction, per solid angle; 0: there was no choice
+};
+
+// Light of all passes and samples of a pixel: sums in fixed point, high * 16 + low * 2^-28, so that they depend on no
+// order.
+struct LightSum {
+  uint low[3];
+  uint high[3];
+};
 
 // Light that the rays of one slot have gathered. The first generation's shading begins it.
 struct Radiance {
@@ -48,6 +72,7 @@ struct RayCount {
   uint unfinished;  // rays that a dispatch left for the next one (see tracing)
   uint overflow;    // rays that were given up
   uint source;      // RAYS_...
+  uint byKind[RAY_KINDS];  // stored rays of all that the queue has held in a frame
 };
 
 // Result of one ray (16 bytes). t in meters along the unit direction; triangle is NO_TRIANGLE unless it hit.

@@ -146,10 +146,18 @@ struct FrameConstants {
   uint selectMode;     // 0 none, 1 reflective, 2 all
   uint selectPattern;  // 0 scattered, 1 region
   uint fill;           // FILL_...
-  uint bounces;
+  uint traces;         // of queues, in a frame whose rays come in one batch
   uint skyDirections;
   uint hemispheres;
   vec2 jitter;  // of the sample, from the pixel's center, pixels
+  uint effect;
+  uint allLight;  // 1: what rays bring to a pixel is all of its light
+  uint effectSamples;
+  uint firstPass;         // RayPasses::first: equal constants make equal rays
+  float occlusionRadius;  // meters; FAR_AWAY: none is too far
+  uint padding0;
+  uint padding1;
+  uint padding2;
 };
 
 #endif

@@ -63,8 +63,8 @@ class ReflectionShade : public LightTest {
     Hits hits;
     hits.hits = gl::makeBuffer(api, std::span<const shared::Hit>(found), "hits");
     if (!surfaces.empty()) hits.surfaces = gl::makeBuffer(api, std::span<const shared::HitSurface>(surfaces), "s");
-    reflectionEffect.shade(view(), rays, hits, generation, next, effectFrame_);
-    reflectionEffect.resolve(view(), first, effectFrame_, gbuffer);
+    reflectionEffect.shade(view(), settings, rays, hits, {.generation = generation}, next, effectFrame_);
+    reflectionEffect.resolve(view(), settings, first, {}, 0, effectFrame_, gbuffer);
   }
 
   vec4 reflection(int x, int y) { return pixels(gbuffer.reflection)[static_cast<std::size_t>(4 * y + x)]; }
@@ -301,7 +301,7 @@ TEST_F(ReflectionShade, RaysOfOnePixelSumToTheSameBitsInAnyOrder) {
     const RayQueue first = makeQueue(api, rays, paths);
     Hits hits;
     hits.hits = gl::makeBuffer(api, std::span<const shared::Hit>(found), "hits");
-    reflectionEffect.shade(view(), first, hits, 0, nullptr, effectFrame_);
+    reflectionEffect.shade(view(), settings, first, hits, {}, nullptr, effectFrame_);
     reflectionEffect.resolve(view(), first, effectFrame_, gbuffer, slotsPerPixel);
     return pixels(gbuffer.reflection);
   };

@@ -1,6 +1,5 @@
 #include "effects/reflection/reflection_effect.h"
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <utility>
@@ -12,36 +11,6 @@
 
 namespace halfsilver {
 namespace {
-
-constexpr int kTile = 8;
-
-// Rows of the screen in a batch but the last: whole tiles.
-int batchRows(const GBuffer& gbuffer, int batches) {
-  const int tiles = (gbuffer.height + kTile - 1) / kTile;
-  return (tiles + batches - 1) / batches * kTile;
-}
-
-std::uint32_t batchPixels(const GBuffer& gbuffer, int batches) {
-  return static_cast<std::uint32_t>(gbuffer.width) *
-         static_cast<std::uint32_t>(std::min(batchRows(gbuffer, batches), gbuffer.height));
-}
-
-enum class Storage { pixels, rays };
-
-void reserveQueue(const gl::Api& api, std::uint32_t rays, Storage storage, RayQueue& queue) {
-  if (queue.capacity >= rays) return;
-  queue = RayQueue{};  // the old memory goes before the new comes
-  if (storage == Storage::rays) {
-    queue.rays = gl::Buffer(api, rays * sizeof(shared::Ray), "rays");
-    queue.paths = gl::Buffer(api, rays * sizeof(shared::RayPath), "ray paths");
-  } else {
-    constexpr std::uint32_t kPixelsPerRow = 4;  // shaders read rows of 16 bytes
-    queue.rays = gl::Buffer(api, (rays + kPixelsPerRow - 1) / kPixelsPerRow * sizeof(glm::uvec4), "pixels with rays");
-  }
-  queue.count = gl::Buffer(api, sizeof(shared::RayCount), "ray count");
-  queue.count.fill(0);
-  queue.capacity = rays;
-}
 
 void reserveFrame(const gl::Api& api, std::uint32_t rays, EffectFrame& frame) {
   if (frame.slots.bytes() < rays * sizeof(shared::Radiance)) {
@@ -58,7 +27,7 @@ ReflectionEffect::ReflectionEffect(const gl::Api& api)
     : api_(&api),
       spawn_(gl::Program::compute(api, "effects/reflection/spawn.comp")),
       contributions_(gl::Program::compute(api, "effects/reflection/contributions.comp")),
-      count_(gl::Program::compute(api, "effects/ray_count.comp")),
+      count_(api),
       resolve_(gl::Program::compute(api, "effects/reflection/resolve.comp")) {}
 
 const gl::Program& ReflectionEffect::shading(const GpuScene& scene, bool first, bool ofPixels, bool surfaces,
@@ -75,20 +44,11 @@ const gl::Program& ReflectionEffect::shading(const GpuScene& scene, bool first, 
   return programs->of(scene);
 }
 
-int ReflectionEffect::batches(const GBuffer& gbuffer, std::uint32_t maxRays) const {
-  int batches = 1;
-  while (batchPixels(gbuffer, batches) > maxRays && batchRows(gbuffer, batches) > kTile) ++batches;
-  const int rows = batchRows(gbuffer, batches);
-  return (gbuffer.height + rows - 1) / rows;  // rounding up may leave nothing to the last ones
-}
-
 void ReflectionEffect::spawn(const FrameView& view, int batch, int batches, RayQueue& out, EffectFrame& frame) {
   const GBuffer& gbuffer = view.gbuffer;
-  const std::uint32_t pixels = batchPixels(gbuffer, batches);
-  const int firstRow = batch * batchRows(gbuffer, batches);
-  const int rows = std::clamp(gbuffer.height - firstRow, 0, batchRows(gbuffer, batches));
-  reserveQueue(*api_, pixels, Storage::pixels, out);
-  reserveFrame(*api_, pixels, frame);
+  const Band band = bandOf(gbuffer, batch, batches);
+  reserveQueue(*api_, band.pixels, RayStorage::pixels, out);
+  reserveFrame(*api_, band.pixels, frame);
   const auto section = view.profiler.section("select");
   // The last frame's shaders wrote the counters; the fill overwrites them.
   api_->MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
@@ -102,16 +62,16 @@ void ReflectionEffect::spawn(const FrameView& view, int batch, int batches, RayQ
         gl::Program::compute(*api_, "effects/reflection/spawn.comp", std::array{gl::Define{"BY_CONTRIBUTION"}});
   const gl::Program& program = byContribution ? spawnByContribution_ : spawn_;
   program.use();
-  program.set("firstRow", firstRow);
+  program.set("firstRow", band.firstRow);
   view.constants.bindUniform(UBO_FRAME);
   out.rays.bindStorage(SSBO_RAYS);
   out.count.bindStorage(SSBO_RAY_COUNT);
   gbuffer.position.bind(UNIT_POSITION);
   gbuffer.normal.bind(UNIT_NORMAL);
   if (byContribution) bindShaded(view, frame);
-  api_->DispatchCompute(static_cast<GLuint>((gbuffer.width + kTile - 1) / kTile),
-                        static_cast<GLuint>((rows + kTile - 1) / kTile), 1);
-  countRays(out);
+  api_->DispatchCompute(static_cast<GLuint>((gbuffer.width + kBandTile - 1) / kBandTile),
+                        static_cast<GLuint>((band.rows + kBandTile - 1) / kBandTile), 1);
+  count_.run(out);
 }
 
 void ReflectionEffect::bindShaded(const FrameView& view, const EffectFrame& frame) {
@@ -133,27 +93,16 @@ void ReflectionEffect::measure(const FrameView& view, const RayQueue& first, Eff
   api_->MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
 }
 
-void ReflectionEffect::countRays(const RayQueue& queue) const {
-  // The dispatch before counts rays; this one reads the count.
-  api_->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
-  count_.use();
-  queue.count.bindStorage(SSBO_RAY_COUNT);
-  api_->DispatchCompute(1, 1, 1);
-  // Rays, paths, slots and the dispatch's size are read by the tracer's shaders and indirect dispatches, by shading and
-  // by reports.
-  api_->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
-}
-
-void ReflectionEffect::shade(const FrameView& view, const RayQueue& rays, const Hits& hits, int generation,
-                             RayQueue* next, EffectFrame& frame) {
+void ReflectionEffect::shade(const FrameView& view, const Settings&, const RayQueue& rays, const Hits& hits,
+                             const RayStep& step, RayQueue* next, EffectFrame& frame) {
   const auto section = view.profiler.section("shade");
   if (next) {
-    reserveQueue(*api_, rays.capacity, Storage::rays, *next);      // a hit sends on at most one ray
-    next->count.fill(0, 0, offsetof(shared::RayCount, overflow));  // which counts for the whole frame
+    reserveQueue(*api_, rays.capacity, RayStorage::rays, *next);  // a hit sends on at most one ray
+    beginQueue(*next);
   }
 
   const bool surfaces = static_cast<bool>(hits.surfaces);
-  shading(view.scene, generation == 0, rays.ofPixels(), surfaces, next != nullptr).use();
+  shading(view.scene, step.generation == 0, rays.ofPixels(), surfaces, next != nullptr).use();
   view.scene.bindSurfaces();
   view.shadows.bind();
   view.bindRays(rays);
@@ -170,7 +119,7 @@ void ReflectionEffect::shade(const FrameView& view, const RayQueue& rays, const 
   api_->BindBuffer(GL_DISPATCH_INDIRECT_BUFFER, rays.count.name());
   api_->DispatchComputeIndirect(0);
   if (next)
-    countRays(*next);
+    count_.run(*next);
   else
     // The slots are read by resolve().
     api_->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);

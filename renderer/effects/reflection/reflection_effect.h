@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "effects/ray_effect.h"
+#include "effects/ray_queues.h"
 #include "frame/surface_programs.h"
 #include "gl/program.h"
 
@@ -20,8 +21,9 @@ class ReflectionEffect final : public RayEffect {
   explicit ReflectionEffect(const gl::Api& api);
 
   int generations(const Settings& settings) const override { return settings.trace.bounces; }
-  // A batch is a band of the screen.
-  int batches(const GBuffer& gbuffer, std::uint32_t maxRays) const override;
+  int batches(const GBuffer& gbuffer, const Settings&, std::uint32_t maxRays) const override {
+    return bandCount(gbuffer, maxRays);
+  }
   bool spawnReadsShading(const Settings& settings) const override { return settings.select.minContribution > 0; }
   // Section "select", as measure().
   void spawn(const FrameView& view, int batch, int batches, RayQueue& out, EffectFrame& frame) override;
@@ -29,10 +31,11 @@ class ReflectionEffect final : public RayEffect {
   void measure(const FrameView& view, const RayQueue& first, EffectFrame& frame) override;
   // Section "shade". A ray that was given up leaves its pixel to the blend's fallback, or ends its path if it is not
   // the first of it.
-  void shade(const FrameView& view, const RayQueue& rays, const Hits& hits, int generation, RayQueue* next,
-             EffectFrame& frame) override;
+  void shade(const FrameView& view, const Settings&, const RayQueue& rays, const Hits& hits, const RayStep& step,
+             RayQueue* next, EffectFrame& frame) override;
   // Section "shade": GBuffer::reflection, alpha 1 where a ray was answered.
-  void resolve(const FrameView& view, const RayQueue& first, const EffectFrame& frame, GBuffer& gbuffer) override {
+  void resolve(const FrameView& view, const Settings&, const RayQueue& first, const RayPasses&, int,
+               const EffectFrame& frame, GBuffer& gbuffer) override {
     resolve(view, first, frame, gbuffer, 1);
   }
   // The same for queues with several rays per pixel: the mean of those that were answered.
@@ -42,10 +45,11 @@ class ReflectionEffect final : public RayEffect {
  private:
   const gl::Program& shading(const GpuScene& scene, bool first, bool ofPixels, bool surfaces, bool next);
   static void bindShaded(const FrameView& view, const EffectFrame& frame);
-  void countRays(const RayQueue& queue) const;
 
   const gl::Api* api_;
-  gl::Program spawn_, spawnByContribution_, contributions_, count_, resolve_;
+  gl::Program spawn_, spawnByContribution_, contributions_;
+  RayCountPass count_;
+  gl::Program resolve_;
   // Made on first use: [first generation][queue of pixels][with HitSurface][with a next one].
   std::optional<SurfacePrograms> shade_[2][2][2][2];
 };

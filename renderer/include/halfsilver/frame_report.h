@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -35,6 +36,8 @@ struct FrameReport {
   std::uint64_t selected = 0;    // of these, pixels that are traced
   std::vector<std::uint32_t>
       contributions;  // reflecting pixels of select.fraction by contribution, in classes of equal ratio
+  std::array<std::uint64_t, 8> rays{};  // traced, by RAY_... of shaders/shared/rays.h
+  std::uint32_t passes = 1;             // that the picture is the mean of
   std::vector<StageTime> times;
   MemoryReport memory;
   std::uint64_t overflow = 0;       // rays given up

@@ -113,6 +113,7 @@ struct Contributions {
 
 // What an effect keeps for one frame.
 struct EffectFrame {
+  int batches = 1;  // that the frame's rays come in
   // Radiance[capacity of a batch]: a ray names its slot, and no two rays of a dispatch share one, so sums
   // depend on no order.
   gl::Buffer slots;

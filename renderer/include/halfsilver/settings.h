@@ -37,6 +37,10 @@ enum class AxisRule {
   own      // each triangle in its own dominant axis; a voxel keeps a mask of the axes it holds
 };
 enum class TraceStage { compute, fragment };
+enum class Effect {
+  reflection,  // mirror reflections, blended with the deferred shading
+  occlusion    // how much of the surroundings each surface sees
+};
 enum class ToneMap { filmic, none };
 enum class Antialiasing {
   none,     // pixels as they are at their centers
@@ -81,12 +85,23 @@ struct ABufferSettings {
 };
 
 struct TraceSettings {
-  std::string method = "identity";  // a name of methods(), see methods.h
-  int bounces = 1;                  // 1..16
+  std::string method = "identity";     // a name of methods(), see methods.h
+  Effect effect = Effect::reflection;  // which rays there are and what their ends mean
+  int bounces = 1;                     // 1..16
   TraceStage stage = TraceStage::compute;
   bool countWork = false;  // each ray's steps and tests are counted, see Renderer::readRayWork()
 
   bool operator==(const TraceSettings&) const = default;
+};
+
+// Of effects that send several rays per pixel. A frame's picture is the mean of passes x samples of them.
+struct EffectSettings {
+  int samples = 8;           // per pixel and pass, 1..64
+  int passes = 1;            // of a frame, 1..65536
+  bool progressive = false;  // frames go on with the passes of those before while nothing changes
+  float radius = 0;          // of occlusion, meters; farther things do not count; 0: all do
+
+  bool operator==(const EffectSettings&) const = default;
 };
 
 struct ShadowSettings {
@@ -113,6 +128,7 @@ struct Settings {
   IdentitySettings identity;
   AttributeSettings attributes;
   TraceSettings trace;
+  EffectSettings effect;
   ShadowSettings shadow;
   ImageSettings image;
 

@@ -98,7 +98,18 @@ HALFSILVER_AT(RayCount, reflecting, 16);
 HALFSILVER_AT(RayCount, unfinished, 20);
 HALFSILVER_AT(RayCount, overflow, 24);
 HALFSILVER_AT(RayCount, source, 28);
-static_assert(sizeof(RayCount) == 32);
+HALFSILVER_AT(RayCount, byKind, 32);
+static_assert(sizeof(RayCount) == 32 + 4 * RAY_KINDS);
+
+static_assert(sizeof(ScatteredPath) == sizeof(RayPath));
+HALFSILVER_AT(ScatteredPath, pathLength, offsetof(RayPath, pathLength));
+HALFSILVER_AT(ScatteredPath, pixel, offsetof(RayPath, pixel));
+HALFSILVER_AT(ScatteredPath, kindAndSample, 20);
+HALFSILVER_AT(ScatteredPath, media, 24);
+HALFSILVER_AT(ScatteredPath, density, 28);
+
+HALFSILVER_AT(LightSum, high, 12);
+static_assert(sizeof(LightSum) == 24);
 
 HALFSILVER_AT(RayWork, steps, 0);
 HALFSILVER_AT(RayWork, tests, 4);
@@ -151,11 +162,16 @@ HALFSILVER_AT(FrameConstants, minContribution, 236);
 HALFSILVER_AT(FrameConstants, selectMode, 240);
 HALFSILVER_AT(FrameConstants, selectPattern, 244);
 HALFSILVER_AT(FrameConstants, fill, 248);
-HALFSILVER_AT(FrameConstants, bounces, 252);
+HALFSILVER_AT(FrameConstants, traces, 252);
 HALFSILVER_AT(FrameConstants, skyDirections, 256);
 HALFSILVER_AT(FrameConstants, hemispheres, 260);
 HALFSILVER_AT(FrameConstants, jitter, 264);
-static_assert(sizeof(FrameConstants) == 272);
+HALFSILVER_AT(FrameConstants, effect, 272);
+HALFSILVER_AT(FrameConstants, allLight, 276);
+HALFSILVER_AT(FrameConstants, effectSamples, 280);
+HALFSILVER_AT(FrameConstants, firstPass, 284);
+HALFSILVER_AT(FrameConstants, occlusionRadius, 288);
+static_assert(sizeof(FrameConstants) == 304);
 
 #undef HALFSILVER_AT
 

@@ -118,7 +118,7 @@ void IdentityTracer::trace(const FrameView& view, const RayQueue& rays, Hits& hi
     const auto scope = view.profiler.section("build");
     store_.follow(readback.values(work)[0]);
     // Later generations of rays will ask for more.
-    if (done && traces.count >= view.frame.bounces) store_.fit(builder_.bytes());
+    if (done && traces.count >= view.frame.traces) store_.fit(builder_.bytes());
     return done || store_.makeRoom(builder_.bytes());
   };
   built_ = false;  // a build that fails half way leaves nothing to keep

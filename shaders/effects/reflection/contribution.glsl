@@ -1,5 +1,5 @@
 // What a pixel's reflection contributes to the picture; reads the shaded G-buffer.
-#include "effects/reflection/dither.glsl"
+#include "effects/common/dither.glsl"
 #include "lib/blend.glsl"
 #include "lib/display.glsl"
 #include "shared/structs.h"

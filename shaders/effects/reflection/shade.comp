@@ -113,6 +113,7 @@ void main() {
 #ifdef NEXT_BOUNCE
     if (s.reflectivity > frame.minReflectivity) {
       uint next = atomicAdd(nextCount.count, 1u);  // at most one per ray: as many as this queue holds
+      atomicAdd(nextCount.byKind[RAY_REFLECTION], 1u);
       nextRays[next] = Ray(s.position, FAR_AWAY, reflected, hit.triangle);
       nextPaths[next] = RayPath(path.throughput * share, pathLength, path.pixel, path.slot, path.kind, 0u);
       sentOn = true;

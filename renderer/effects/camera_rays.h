@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "effects/ray_effect.h"
+#include "effects/ray_queues.h"
+#include "gl/program.h"
+
+namespace halfsilver {
+
+// What effects share whose first rays are the camera's and whose light is a sum per pixel: of all pixels that show a
+// surface, thinned to select.fraction; none if select.mode is none.
+class CameraRays {
+ public:
+  explicit CameraRays(const gl::Api& api);
+
+  // Section "select".
+  void spawn(const FrameView& view, int batch, int batches, RayQueue& out, EffectFrame& frame) const;
+  void firstHits(const FrameView& view, const RayQueue& rays, const Hits& hits) const;
+
+  // Before the shading of a step: what shaders/effects/common/light_sums.glsl reads, and send_on.glsl if there is a
+  // next queue, with room for `nextRays`. The sums begin with the first pass of all.
+  void bind(const gl::Program& program, const FrameView& view, const EffectFrame& frame, const RayQueue& rays,
+            const RayStep& step, RayQueue* next, std::uint32_t nextRays);
+  // One invocation per ray of the queue, then what it wrote is ready to be read.
+  void dispatch(const RayQueue& rays, const RayQueue* next) const;
+
+  // The mean of all passes so far, of `samples` each.
+  void resolve(const FrameView& view, const EffectFrame& frame, const RayQueue& first, const RayPasses& passes,
+               int samples, int batch, const GBuffer& gbuffer) const;
+
+  std::uint64_t bytes() const;
+
+ private:
+  const gl::Api* api_;
+  gl::Program spawn_, hits_, resolve_;
+  RayCountPass count_;
+  std::vector<gl::Buffer> sums_;  // LightSum per pixel of the band, by batch
+};
+
+// Batches of which none sends more than `maxRays` at once if a pixel sends at most `raysPerPixel`.
+int cameraBatches(const GBuffer& gbuffer, std::uint32_t raysPerPixel, std::uint32_t maxRays);
+
+}  // namespace halfsilver
