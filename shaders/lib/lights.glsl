@@ -127,10 +127,9 @@ vec3 bouncedIrradiance(vec3 normal, float visibility) {
   return steady + open * visibility;
 }
 
-// rgb: radiance towards the eye; a: share of the sky's light that reaches the surface, 0..1.
-vec4 directLighting(Surface s, vec3 toEye) {
-  if (s.unlit) return vec4(s.baseColor, 1.0);
-  vec3 radiance = s.emissive + directRadiance(s, toEye);
+// What comes from everywhere: the sky's directions and bounced light. rgb: radiance towards the eye; a: share of the
+// sky's light that reaches the surface, 0..1.
+vec4 ambientLighting(Surface s, vec3 toEye) {
   SkyPart sky = skyPart(s);
   vec3 bounce = bouncedIrradiance(s.normal, sky.visibility);
   float nv = dot(s.normal, toEye);
@@ -138,6 +137,13 @@ vec4 directLighting(Surface s, vec3 toEye) {
   vec3 diffuse = s.baseColor * (1.0 - s.metallic) * (1.0 - reflected) * (sky.irradiance + bounce);
   // Where the sky is hidden a rough surface reflects the bounced light instead (the blend adds the visible sky).
   vec3 specular = reflected * bounce * (1.0 - sky.visibility);
-  radiance += (diffuse + specular) * (s.occlusion / PI);
-  return vec4(radiance, sky.visibility);
+  return vec4((diffuse + specular) * (s.occlusion / PI), sky.visibility);
+}
+
+// The same with what the surface emits and the direct lights, by their shadow maps.
+vec4 directLighting(Surface s, vec3 toEye) {
+  if (s.unlit) return vec4(s.baseColor, 1.0);
+  vec3 radiance = s.emissive + directRadiance(s, toEye);
+  vec4 ambient = ambientLighting(s, toEye);
+  return vec4(radiance + ambient.rgb, ambient.a);
 }
