@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "passes/sky_light.h"
+#include "scene/tangents.h"
 
 namespace halfsilver {
 namespace {
@@ -101,7 +102,7 @@ Fit fitPerspective(const Bounds& bounds, const Light& light, const vec3& directi
   return fit;
 }
 
-int layersOf(LightType type) { return type == LightType::point ? 6 : 1; }
+int layersOf(LightType type) { return type == LightType::directional || type == LightType::spot ? 1 : 6; }
 
 // Shares the layers out: how many lights, from the first, have shadows, and how many tiles the sky has.
 struct Shares {
@@ -142,6 +143,43 @@ void addView(LightList& list, shared::GpuLight& light, int matrix, const Fit& fi
   light.shadowLayers = static_cast<float>(matrix + 1);
 }
 
+float typeNumber(LightType type) {
+  switch (type) {
+    case LightType::directional:
+      return LIGHT_DIRECTIONAL;
+    case LightType::point:
+      return LIGHT_POINT;
+    case LightType::spot:
+      return LIGHT_SPOT;
+    case LightType::rectangle:
+      return LIGHT_RECTANGLE;
+    case LightType::sphere:
+      break;
+  }
+  return LIGHT_SPHERE;
+}
+
+// Candela per nit in the direction of most.
+float areaOf(const Light& light) {
+  return light.type == LightType::rectangle ? light.width * light.height
+         : light.type == LightType::sphere  ? glm::pi<float>() * light.radius * light.radius
+                                            : 1.0f;
+}
+
+void addExtent(shared::GpuLight& light, const Light& source) {
+  constexpr float kLeast = 1e-12f;
+  light.radius = source.radius;
+  light.area = std::max(areaOf(source), kLeast);
+  light.color *= light.area;
+  if (source.type != LightType::rectangle) return;
+  light.coneScale = 1;
+  const vec3 across = glm::cross(source.up, light.direction);
+  const vec3 width =
+      glm::length(across) > 1e-4f * glm::length(source.up) ? glm::normalize(across) : anyPerpendicular(light.direction);
+  light.halfWidth = 0.5f * source.width * width;
+  light.halfHeight = 0.5f * source.height * glm::cross(light.direction, width);
+}
+
 shared::GpuLight makeLight(vec3 direction, const vec3& color) {
   shared::GpuLight light{};
   light.direction = direction;
@@ -153,11 +191,8 @@ shared::GpuLight makeLight(vec3 direction, const vec3& color) {
 void addLight(LightList& list, const Bounds& bounds, const Light& source, bool shadowed, int resolution) {
   const float length = glm::length(source.direction);
   const vec3 direction = length > 0 ? source.direction / length : vec3(0, -1, 0);
-  const int type = source.type == LightType::directional ? LIGHT_DIRECTIONAL
-                   : source.type == LightType::point     ? LIGHT_POINT
-                                                         : LIGHT_SPOT;
   shared::GpuLight light = makeLight(direction, source.color * source.intensity);
-  light.type = static_cast<float>(type);
+  light.type = typeNumber(source.type);
   light.position = source.position;
   light.range = source.range;
   if (source.type == LightType::spot) {
@@ -165,6 +200,7 @@ void addLight(LightList& list, const Bounds& bounds, const Light& source, bool s
     light.coneScale = 1.0f / std::max(1e-3f, inner - outer);
     light.coneOffset = -outer * light.coneScale;
   }
+  if (source.type == LightType::rectangle || source.type == LightType::sphere) addExtent(light, source);
   const glm::ivec4 whole(0, 0, resolution, resolution);
   const vec3 side = std::abs(direction.y) > 0.99f ? vec3(1, 0, 0) : vec3(0, 1, 0);
   if (!shadowed) {
@@ -217,10 +253,12 @@ vec3 meanIrradiance(const Bounds& bounds, std::span<const Light> lights) {
   const float area = 2 * (sides.x + sides.y + sides.z);
   vec3 flux(0);
   for (const Light& light : lights) {
-    const vec3 power = light.color * light.intensity;
+    const vec3 power = light.color * light.intensity * areaOf(light);
     const float length = std::max(glm::length(light.direction), 1e-20f);
     if (light.type == LightType::directional) {
       flux += power * glm::dot(glm::abs(light.direction / length), sides);
+    } else if (light.type == LightType::rectangle) {
+      flux += power * glm::pi<float>();
     } else {
       const float half = light.type == LightType::spot ? light.outerConeAngle : glm::pi<float>();
       flux += power * 2.0f * glm::pi<float>() * (1 - std::cos(half));

@@ -27,7 +27,7 @@ struct LightListLimits {
   int layers = 256;        // at most
 };
 
-// Lights with places in the shadow maps: a layer for a directional light or a spot, six for a point light, a tile of a
+// Lights with places in the shadow maps: a layer for a directional light or a spot, six for any other, a tile of a
 // shared layer for each direction of the sky. If the layers do not suffice, the sky has fewer directions; if
 // that is not enough, the last lights cast no shadows. The warnings name both.
 LightList makeLightList(const Bounds& bounds, std::span<const Light> lights, const Sky& sky,

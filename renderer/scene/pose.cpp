@@ -309,6 +309,7 @@ void follow(Camera& camera, const glm::dmat4& world, const glm::dvec3& origin) {
 void follow(Light& light, const glm::dmat4& world, const glm::dvec3& origin) {
   light.position = glm::vec3(glm::dvec3(world[3]) - origin);
   light.direction = glm::vec3(unit(-glm::dvec3(world[2]), {0, 0, -1}));
+  light.up = glm::vec3(unit(glm::dvec3(world[1]), {0, 1, 0}));
 }
 
 bool followLights(std::span<const int> nodes, const PoseState& state, const glm::dvec3& origin,
@@ -318,7 +319,8 @@ bool followLights(std::span<const int> nodes, const PoseState& state, const glm:
     if (nodes[i] < 0) continue;
     const Light before = lights[i];
     follow(lights[i], state.world[static_cast<std::size_t>(nodes[i])], origin);
-    moved |= before.position != lights[i].position || before.direction != lights[i].direction;
+    moved |=
+        before.position != lights[i].position || before.direction != lights[i].direction || before.up != lights[i].up;
   }
   return moved;
 }

@@ -15,7 +15,7 @@ uint takeLight(inout uint pending) {
   return light;
 }
 
-// Inverse square with a range window and the spot's cone (KHR_lights_punctual).
+// Inverse square with a range window and the spot's cone (KHR_lights_punctual), or a rectangle's cosine.
 float attenuation(vec4 directionType, vec4 shadow, float range, vec3 toLight, float distanceToLight) {
   float window = 1.0;
   if (range > 0.0) {
@@ -23,11 +23,12 @@ float attenuation(vec4 directionType, vec4 shadow, float range, vec3 toLight, fl
     window = clamp(1.0 - x * x * x * x, 0.0, 1.0);
   }
   float cone = 1.0;
-  if (int(directionType.w) == LIGHT_SPOT) {
+  bool spot = int(directionType.w) == LIGHT_SPOT;
+  if (spot || int(directionType.w) == LIGHT_RECTANGLE) {
     float cosine = dot(directionType.xyz, -toLight);
     cone = clamp(cosine * shadow.x + shadow.y, 0.0, 1.0);
   }
-  return window * cone * cone / max(distanceToLight * distanceToLight, 1e-8);
+  return window * cone * (spot ? cone : 1.0) / max(distanceToLight * distanceToLight, 1e-8);
 }
 
 // Whether the surface lies in the light's range and faces it.
@@ -41,7 +42,7 @@ bool mayLight(uint light, Surface s) {
   return reaches && dot(s.normal, toLight) > 0.0 && dot(s.geometricNormal, toLight) > 0.0;
 }
 
-// Radiance of a directional light, a point light or a spot. They share the look at the shadow map, which is most of it.
+// Radiance of a directional light or of one that has a place. They share the look at the shadow map, which is most of it.
 vec3 directLight(uint light, Surface s, vec3 toEye) {
   vec4 directionType = lightTexel(light, LIGHT_DIRECTION);
   vec4 colorTexel = lightTexel(light, LIGHT_COLOR);

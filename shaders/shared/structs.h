@@ -25,6 +25,8 @@
 #define LIGHT_DIRECTIONAL 0
 #define LIGHT_POINT 1
 #define LIGHT_SPOT 2
+#define LIGHT_RECTANGLE 3
+#define LIGHT_SPHERE 4
 #define NO_SHADOW -1
 
 struct VertexAttributes {
@@ -93,15 +95,19 @@ struct GpuLight {
   float range;        // meters; 0: unlimited
   vec3 direction;     // unit, the way the light travels
   float type;         // LIGHT_...
-  vec3 color;         // linear, times intensity
+  vec3 color;         // linear, times intensity; of rectangles and spheres the highest in candela
   float shadowTexel;  // width of a shadow texel, meters (point, spot: at distance 1)
-  float coneScale;    // spot: angular falloff = clamp(cosine * scale + offset)
+  float coneScale;    // spot, rectangle: angular falloff = clamp(cosine * scale + offset), of a spot squared
   float coneOffset;
   float shadowLayer;  // the first, or NO_SHADOW
   float shadowLayers;
   float steadyShare;  // of a half of the sphere, 0..1
+  float radius;       // sphere, meters
+  float area;         // of a rectangle, or of a sphere's outline, square meters: color / area is its radiance
   float padding0;
+  vec3 halfWidth;  // rectangle: from its center to the middle of an edge; it shines along cross(width, height)
   float padding1;
+  vec3 halfHeight;
   float padding2;
   mat4 shadow[6];  // world to shadow map, one matrix per layer
 };

@@ -94,6 +94,66 @@ TEST_F(LightingTest, SpotFallsBetweenItsCones) {
   }
 }
 
+// A rectangle over a floor: the deferred pass takes it as a point. At a distance of ten times its size that is right
+// within 1 %; the closed form is the form factor of a parallel rectangle over a small patch.
+TEST_F(LightingTest, FarRectanglesLightAsTheirFormFactorSays) {
+  const float width = 0.2f, height = 0.3f, up = 3;
+  const auto corner = [&](float x, float z) {  // of a rectangle whose corner is over the patch
+    const float a = x / up, b = z / up, p = std::sqrt(1 + a * a), q = std::sqrt(1 + b * b);
+    return (a / p * std::atan(b / p) + b / q * std::atan(a / q)) / (2 * kPi);
+  };
+  for (const float x : {0.0f, 1.0f, 1.9f}) {
+    Scene scene = plate(diffuse(vec3(1)));
+    Light light;
+    light.type = LightType::rectangle;
+    light.position = {0, up, 0};
+    light.direction = {0, -1, 0};
+    light.up = {0, 0, 1};
+    light.width = width;
+    light.height = height;
+    light.intensity = 7;
+    scene.lights = {light};
+    const float low = x - 0.5f * width, high = x + 0.5f * width;
+    const float formFactor = 2 * (corner(high, 0.5f * height) - corner(low, 0.5f * height));
+    SCOPED_TRACE(x);
+    expectColor(shadeAt(scene, {0, 4, 2}, {x, 0, 0}), vec3(7 * formFactor), 1e-2f);
+    scene.lights[0].direction = {0, 1, 0};
+    expectColor(shadeAt(scene, {0, 4, 2}, {x, 0, 0}), vec3(0), 1e-6f);
+  }
+}
+
+// Exact wherever all of the sphere is above the horizon.
+TEST_F(LightingTest, SpheresLightAsTheirClosedFormSays) {
+  for (const float x : {0.0f, 1.0f, 1.9f}) {
+    Scene scene = plate(diffuse(vec3(1)));
+    Light light;
+    light.type = LightType::sphere;
+    light.position = {0, 1.5f, 0};
+    light.radius = 0.4f;
+    light.intensity = 7;
+    scene.lights = {light};
+    const float distance = std::sqrt(x * x + 2.25f), cosine = 1.5f / distance;
+    const float sine2 = 0.16f / (distance * distance);
+    SCOPED_TRACE(x);
+    expectColor(shadeAt(scene, {0, 4, 2}, {x, 0, 0}), vec3(7 * sine2 * cosine), 5e-3f);
+  }
+}
+
+TEST_F(LightingTest, AreaLightsCastShadows) {
+  for (const LightType type : {LightType::rectangle, LightType::sphere}) {
+    Scene scene = plate(diffuse(vec3(1)));
+    addQuad(scene, {0, 0.5f, 0}, {0.5f, 0, 0}, {0, 0, -0.5f}, 0);
+    Light light;
+    light.type = type;
+    light.position = {0, 1, 0};
+    light.direction = {0, -1, 0};
+    light.width = light.height = 0.1f;
+    scene.lights = {light};
+    expectColor(shadeAt(scene, {0, 0.1f, 3}, {0.5f, 0, 0}), vec3(0), 1e-6f);
+    EXPECT_GT(shadeAt(scene, {0, 4, 3}, {1.5f, 0, 0}).x, 1e-4f) << "beside the shadow";
+  }
+}
+
 TEST_F(LightingTest, MetalFollowsGgx) {
   Material metal;
   metal.baseColor = {0.9f, 0.6f, 0.3f, 1};

@@ -201,6 +201,51 @@ TEST(LightList, EachKindLiesInItsRange) {
   }
 }
 
+TEST(LightList, ARectangleShinesAlongItsAxesCrossProduct) {
+  Light source = light(LightType::rectangle);
+  source.width = 3;
+  source.height = 0.5f;
+  source.color = {1, 2, 4};
+  source.intensity = 10;
+  for (const vec3& up : {vec3(0, 0, -2), vec3(1, 0, 0), source.direction, vec3(0)}) {
+    source.up = up;
+    const shared::GpuLight packed = makeLightList(box(vec3(-1), vec3(1)), {&source, 1}, evenSky(vec3(0)), {}).lights[0];
+    EXPECT_EQ(packed.type, LIGHT_RECTANGLE);
+    EXPECT_NEAR(glm::length(packed.halfWidth), 1.5f, 1e-5f);
+    EXPECT_NEAR(glm::length(packed.halfHeight), 0.25f, 1e-5f);
+    EXPECT_LT(glm::distance(glm::cross(packed.halfWidth, packed.halfHeight), 0.375f * source.direction), 1e-5f);
+    EXPECT_NEAR(glm::dot(packed.halfWidth, up), 0, 1e-5f) << "up lies along the height";
+    EXPECT_EQ(packed.area, 1.5f);
+    EXPECT_LT(glm::distance(packed.color / packed.area, vec3(10, 20, 40)), 1e-4f) << "nits";
+    EXPECT_EQ(packed.shadowLayers, 6) << "all of a half space";
+  }
+}
+
+TEST(LightList, ASphereIsAsBrightAsItsOutline) {
+  Light source = light(LightType::sphere);
+  source.radius = 0.5f;
+  source.intensity = 8;
+  const LightList list = makeLightList(box(vec3(-1), vec3(1)), {&source, 1}, evenSky(vec3(1)), {});
+  EXPECT_EQ(list.lights[0].type, LIGHT_SPHERE);
+  EXPECT_EQ(list.lights[0].radius, 0.5f);
+  EXPECT_NEAR(list.lights[0].color.x, 8 * kPi * 0.25f, 1e-4f) << "candela";
+  EXPECT_EQ(list.lights[0].shadowLayers, 6);
+  // What other surfaces send on is that of a point as bright.
+  Light point = light(LightType::point);
+  point.intensity = 8 * kPi * 0.25f;
+  const LightList same = makeLightList(box(vec3(-1), vec3(1)), {&point, 1}, evenSky(vec3(1)), {});
+  EXPECT_NEAR(list.lights.back().color.x, same.lights.back().color.x, 1e-4f);
+}
+
+// Of the flux of a rectangle, pi times area times radiance, 0.54 comes back from the six sides of a cube of side 2.
+TEST(LightList, ARectanglesFluxIsThatOfALambertEmitter) {
+  Light source = light(LightType::rectangle);
+  source.width = source.height = 2;
+  source.intensity = 3;
+  const LightList with = makeLightList(box(vec3(-1), vec3(1)), {&source, 1}, evenSky(vec3(1)), {});
+  EXPECT_NEAR(with.lights.back().color.x, 0.54f * kPi * 4 * 3 / 24 / 3, 2e-3f);
+}
+
 // Under a black sky there is direct light alone: the closed forms hold.
 TEST(LightList, BounceNeedsASky) {
   const Light lights[] = {light(LightType::directional)};

@@ -217,6 +217,22 @@ TEST(Pose, ChildrenCamerasAndLightsFollow) {
   EXPECT_TRUE(near(model.scene.lights.at(0).position, {0, 4, 0}));
 }
 
+TEST(Pose, ARectangleLightTurnsWithItsNode) {
+  const float half = std::sqrt(0.5f);
+  // About the light's own direction: only its upper edge moves.
+  GltfFile file = animated("rotation", {0, 1}, {0, 0, 0, 1, 0, 0, half, half}, "VEC4", "LINEAR");
+  file.root["extensions"]["KHR_lights_punctual"]["lights"] = {{{"type", "point"}}};
+  file.root["nodes"][0]["extensions"]["KHR_lights_punctual"]["light"] = 0;
+  Model model = load(file);
+  model.scene.lights.at(0).type = LightType::rectangle;
+  poseAt(model, 0);
+  EXPECT_TRUE(near(model.scene.lights[0].up, {0, 1, 0}));
+  const SceneChange change = poseAt(model, 0.5);
+  EXPECT_TRUE(near(model.scene.lights[0].up, {-half, half, 0}));
+  EXPECT_TRUE(near(model.scene.lights[0].direction, {0, 0, -1}));
+  EXPECT_TRUE(change.lights);
+}
+
 TEST(Pose, MorphTargetsAddUp) {
   GltfFile file = animated("weights", {0, 1}, {0, 0, 1, 0.5f}, "SCALAR", "LINEAR");
   const int up = file.accessor(std::vector<float>{0, 0, 0, 0, 2, 0, 0, 0, 0}, "VEC3");

@@ -109,17 +109,23 @@ struct Material {
   TextureUse coatNormalTexture;     // the coat has the plain normal without it, whatever normalTexture says
 };
 
-enum class LightType { directional, point, spot };
+// Rectangles shine from one side, spheres from all of their surface, equally bright from wherever they are seen. The
+// deferred pass lights with them as with a point that sends out as much into each direction; effects sample them. As
+// points do, they light and are not seen: neither the camera nor rays meet them.
+enum class LightType { directional, point, spot, rectangle, sphere };
 
 struct Light {
   LightType type = LightType::directional;
-  glm::vec3 position{0};          // relative to Scene::origin; point and spot
-  glm::vec3 direction{0, -1, 0};  // unit, in which the light travels; directional and spot
+  glm::vec3 position{0};          // relative to Scene::origin, the center; all but directional
+  glm::vec3 direction{0, -1, 0};  // unit, in which the light travels; directional, spot and rectangle
   glm::vec3 color{1};             // linear
-  float intensity = 1;            // lux for directional, candela for point and spot
+  float intensity = 1;            // lux for directional, candela for point and spot, nits for rectangle and sphere
   float range = 0;                // 0: unlimited
   float innerConeAngle = 0;       // radians, half angle
   float outerConeAngle = 0.7853982f;
+  glm::vec3 up{0, 0, -1};       // along a rectangle's height; need not be perpendicular to its direction
+  float width = 1, height = 1;  // meters, of a rectangle
+  float radius = 0.1f;          // meters, of a sphere
 };
 
 // Radiance from outside the scene: an equirectangular image if there is one, otherwise a vertical gradient.

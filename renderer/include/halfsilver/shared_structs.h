@@ -5,7 +5,8 @@
 #include <glm/glm.hpp>
 
 // The C++ side of shaders/shared/structs.h and rays.h: the same names and layouts. std140 and std430 align a vec3 to 16
-// bytes and a vec2 to 8, and round a struct with a vec3 up to 16; C++ does not, so every offset and size is asserted.
+// bytes and a vec2 to 8, and round a struct with a vec3 up to 16; C++ does not, so every offset and size is asserted,
+// those of the scene in frame/scene_layout.cpp.
 namespace halfsilver::shared {
 
 using glm::mat4;
@@ -19,59 +20,6 @@ using uint = std::uint32_t;
 #include "shared/structs.h"
 
 #define HALFSILVER_AT(type, member, offset) static_assert(offsetof(type, member) == (offset), #type "::" #member)
-
-HALFSILVER_AT(VertexAttributes, normal, 0);
-HALFSILVER_AT(VertexAttributes, bitangentSign, 12);
-HALFSILVER_AT(VertexAttributes, tangent, 16);
-HALFSILVER_AT(VertexAttributes, uv0, 32);
-HALFSILVER_AT(VertexAttributes, uv1, 40);
-HALFSILVER_AT(VertexAttributes, color, 48);
-static_assert(sizeof(VertexAttributes) == 64);
-
-HALFSILVER_AT(GpuTexture, location, 0);
-HALFSILVER_AT(GpuTexture, sampling, 4);
-HALFSILVER_AT(GpuTexture, transform, 8);
-static_assert(sizeof(GpuTexture) == 32);
-
-HALFSILVER_AT(GpuMaterial, baseColor, 0);
-HALFSILVER_AT(GpuMaterial, emissive, 16);
-HALFSILVER_AT(GpuMaterial, alphaCutoff, 28);
-HALFSILVER_AT(GpuMaterial, specularColor, 32);
-HALFSILVER_AT(GpuMaterial, specularFactor, 44);
-HALFSILVER_AT(GpuMaterial, metallic, 48);
-HALFSILVER_AT(GpuMaterial, roughness, 52);
-HALFSILVER_AT(GpuMaterial, normalScale, 56);
-HALFSILVER_AT(GpuMaterial, occlusionStrength, 60);
-HALFSILVER_AT(GpuMaterial, dielectricF0, 64);
-HALFSILVER_AT(GpuMaterial, mirror, 68);
-HALFSILVER_AT(GpuMaterial, flags, 72);
-HALFSILVER_AT(GpuMaterial, ior, 76);
-HALFSILVER_AT(GpuMaterial, alphaFirst, 80);
-HALFSILVER_AT(GpuMaterial, alphaWidth, 84);
-HALFSILVER_AT(GpuMaterial, alphaHeight, 88);
-HALFSILVER_AT(GpuMaterial, transmission, 92);
-HALFSILVER_AT(GpuMaterial, absorption, 96);
-HALFSILVER_AT(GpuMaterial, dispersion, 108);
-HALFSILVER_AT(GpuMaterial, thickness, 112);
-HALFSILVER_AT(GpuMaterial, coat, 116);
-HALFSILVER_AT(GpuMaterial, coatRoughness, 120);
-HALFSILVER_AT(GpuMaterial, coatNormalScale, 124);
-HALFSILVER_AT(GpuMaterial, textures, 128);
-static_assert(sizeof(GpuMaterial) == 128 + TEXTURE_USES * sizeof(GpuTexture));
-
-HALFSILVER_AT(GpuLight, position, 0);
-HALFSILVER_AT(GpuLight, range, 12);
-HALFSILVER_AT(GpuLight, direction, 16);
-HALFSILVER_AT(GpuLight, type, 28);
-HALFSILVER_AT(GpuLight, color, 32);
-HALFSILVER_AT(GpuLight, shadowTexel, 44);
-HALFSILVER_AT(GpuLight, coneScale, 48);
-HALFSILVER_AT(GpuLight, coneOffset, 52);
-HALFSILVER_AT(GpuLight, shadowLayer, 56);
-HALFSILVER_AT(GpuLight, shadowLayers, 60);
-HALFSILVER_AT(GpuLight, steadyShare, 64);
-HALFSILVER_AT(GpuLight, shadow, 80);
-static_assert(sizeof(GpuLight) == 80 + 6 * sizeof(mat4));
 
 HALFSILVER_AT(Ray, origin, 0);
 HALFSILVER_AT(Ray, maxDistance, 12);
