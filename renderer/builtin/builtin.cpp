@@ -22,13 +22,26 @@ constexpr std::array<Entry, 4> kScenes{{
     {"game", makeGameScene},
 }};
 
-}  // namespace
+constexpr std::array<Entry, 6> kEffectScenes{{
+    {"cornell", [] { return makeCornellScene(true); }},
+    {"cornell-empty", [] { return makeCornellScene(false); }},
+    {"furnace", makeFurnaceScene},
+    {"slab", makeSlabScene},
+    {"prism", makePrismScene},
+    {"glass", makeGlassScene},
+}};
 
-std::vector<std::string> builtinNames() {
+std::vector<std::string> namesOf(std::span<const Entry> scenes) {
   std::vector<std::string> names;
-  for (const Entry& entry : kScenes) names.emplace_back(entry.name);
+  for (const Entry& entry : scenes) names.emplace_back(entry.name);
   return names;
 }
+
+}  // namespace
+
+std::vector<std::string> builtinNames() { return namesOf(kScenes); }
+
+std::vector<std::string> effectSceneNames() { return namesOf(kEffectScenes); }
 
 Model makeBuiltin(std::string_view name) {
   std::string known;
@@ -40,6 +53,7 @@ Model makeBuiltin(std::string_view name) {
     return {};
   };
   std::optional<Model> model = named(kScenes);
+  if (!model) model = named(kEffectScenes);
   if (!model) model = named(failureScenes());
   if (!model) throw Error(ErrorKind::badInput, "builtin:" + std::string(name) + ": no such scene; known are " + known);
   model->scene.name = "builtin:" + std::string(name);

@@ -14,6 +14,11 @@ Model makeSphereScene();
 Model makeTeapotScene();
 Model makeAtriumScene();
 Model makeGameScene();
+Model makeCornellScene(bool boxes);
+Model makeFurnaceScene();
+Model makeSlabScene();
+Model makePrismScene();
+Model makeGlassScene();
 
 // Newell's teapot in its own units: standing on y = 0, 3.15 high, spout along +x. Each of the 32 patches becomes
 // steps x steps cells.

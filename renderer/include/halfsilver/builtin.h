@@ -9,8 +9,11 @@
 
 namespace halfsilver {
 
-// Names of the scenes made in code, without the "builtin:" prefix and without failureScenes().
+// Names of the scenes made in code, without the "builtin:" prefix and without those below.
 std::vector<std::string> builtinNames();
+
+// Names of small ones that show what rays do beside mirrors: glass, coats, area lights, light sent on by surfaces.
+std::vector<std::string> effectSceneNames();
 
 // Makes a scene, bit-identical on every machine. Throws Error (badInput) for an unknown name and lists the known ones.
 Model makeBuiltin(std::string_view name);
