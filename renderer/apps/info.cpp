@@ -30,7 +30,19 @@ const char* alphaModeName(AlphaMode mode) {
 }
 
 const char* lightTypeName(LightType type) {
-  return type == LightType::directional ? "directional" : type == LightType::point ? "point" : "spot";
+  switch (type) {
+    case LightType::directional:
+      return "directional";
+    case LightType::point:
+      return "point";
+    case LightType::spot:
+      return "spot";
+    case LightType::rectangle:
+      return "rectangle";
+    case LightType::sphere:
+      break;
+  }
+  return "sphere";
 }
 
 // The shortest decimal that reads back as the same float: 0.9, not 0.8999999761581421.
@@ -47,6 +59,21 @@ Json vectorJson(const glm::vec3& v) { return Json::array({shortest(v.x), shortes
 // World coordinates of a point relative to the scene's origin.
 Json worldJson(const Scene& scene, const glm::vec3& p) {
   return Json::array({scene.origin.x + shortest(p.x), scene.origin.y + shortest(p.y), scene.origin.z + shortest(p.z)});
+}
+
+Json lightJson(const Scene& scene, const Light& light) {
+  Json json = {{"type", lightTypeName(light.type)},
+               {"position", worldJson(scene, light.position)},
+               {"direction", vectorJson(light.direction)},
+               {"color", vectorJson(light.color)},
+               {"intensity", shortest(light.intensity)}};
+  if (light.type == LightType::sphere) json["radius"] = shortest(light.radius);
+  if (light.type == LightType::rectangle) {
+    json["up"] = vectorJson(light.up);
+    json["width"] = shortest(light.width);
+    json["height"] = shortest(light.height);
+  }
+  return json;
 }
 
 Json partsJson(const Model& model) {
@@ -81,12 +108,7 @@ Json infoJson(const std::string& file, const Model& model) {
   for (const auto& texture : scene.textures)
     json["textures"].push_back({{"name", texture->name}, {"width", texture->width}, {"height", texture->height}});
   json["lights"] = Json::array();
-  for (const Light& light : scene.lights)
-    json["lights"].push_back({{"type", lightTypeName(light.type)},
-                              {"position", worldJson(scene, light.position)},
-                              {"direction", vectorJson(light.direction)},
-                              {"color", vectorJson(light.color)},
-                              {"intensity", shortest(light.intensity)}});
+  for (const Light& light : scene.lights) json["lights"].push_back(lightJson(scene, light));
   json["cameras"] = Json::array();
   for (const Camera& camera : scene.cameras)
     json["cameras"].push_back({{"name", camera.name},
@@ -153,15 +175,20 @@ void printInfo(const Json& json) {
 void addInfoCommand(CLI::App& program) {
   struct Request {
     std::string scene;
+    std::vector<std::string> lights;
     bool json = false;
   };
   CLI::App* command = program.add_subcommand("info", "Show what a scene contains");
   const auto request = std::make_shared<Request>();
   command->add_option("SCENE", request->scene, ".gltf or .glb file, or builtin:NAME")->required();
+  command->add_option("--light", request->lights, kLightHelp)->allow_extra_args(false);
   command->add_flag("--json", request->json,
                     "Print JSON, including every part (node and primitive) with its triangles");
   command->callback([request] {
-    const Model model = loadScene(request->scene);
+    std::vector<LightArgument> lights;
+    for (const std::string& text : request->lights) lights.push_back(parseLight(text));
+    Model model = loadScene(request->scene);
+    addLights(model, lights);
     const Json json = infoJson(request->scene, model);
     if (request->json) {
       std::cout << dump(json);

@@ -73,6 +73,14 @@ void applyMirrors(Scene& scene, std::span<const MirrorArgument> mirrors) {
   }
 }
 
+void addLights(Model& model, std::span<const LightArgument> lights) {
+  for (const LightArgument& argument : lights) {
+    Light& light = model.scene.lights.emplace_back(argument.light);
+    light.position = glm::vec3(argument.position - model.scene.origin);
+  }
+  model.rig.lightNodes.resize(model.scene.lights.size(), -1);
+}
+
 Camera chooseCamera(std::span<const Camera> cameras, const Bounds& bounds, const glm::dvec3& origin,
                     const CameraRequest& request) {
   if (request.eye.has_value() != request.target.has_value()) reject("--eye and --target must be given together");

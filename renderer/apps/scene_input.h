@@ -7,6 +7,7 @@
 
 #include <halfsilver/model.h>
 #include "apps/arguments.h"
+#include "apps/light_argument.h"
 
 // Scenes and cameras as the command line names them.
 namespace halfsilver {
@@ -17,6 +18,9 @@ Model loadScene(const std::string& name);
 // Gives materials a reflectance at normal incidence; "*" means all. Throws Error (usage) for an unknown name, listing
 // the known ones.
 void applyMirrors(Scene& scene, std::span<const MirrorArgument> mirrors);
+
+// Adds lights to those of the scene.
+void addLights(Model& model, std::span<const LightArgument> lights);
 
 struct CameraRequest {
   std::string name;                       // or index; empty: the scene's first

@@ -21,6 +21,7 @@ void addViewOptions(CLI::App& command, ViewRequest& request) {
       .add_option("--mirror", request.mirrors,
                   "MATERIAL=REFLECTIVITY: turn a material into a mirror; * for all materials")
       ->allow_extra_args(false);
+  command.add_option("--light", request.lights, kLightHelp)->allow_extra_args(false);
   command.add_option("--sky", request.sky, "Use an equirectangular image (HDR, EXR) as the sky");
   CLI::Option* preset = command.add_option("--preset", request.preset, "Start from a preset (see: halfsilver presets)");
   command.add_option("--config", request.config, "Start from the settings in a .toml file")->excludes(preset);
@@ -36,10 +37,11 @@ void addViewOptions(CLI::App& command, ViewRequest& request) {
 }
 
 ViewArguments checkView(const ViewRequest& request) {
-  ViewArguments arguments{parseSize(request.size), {request.camera, {}, {}, request.fov}, {}};
+  ViewArguments arguments{parseSize(request.size), {request.camera, {}, {}, request.fov}, {}, {}};
   if (!request.eye.empty()) arguments.camera.eye = parseVector("--eye", request.eye);
   if (!request.target.empty()) arguments.camera.target = parseVector("--target", request.target);
   for (const std::string& text : request.mirrors) arguments.mirrors.push_back(parseMirror(text));
+  for (const std::string& text : request.lights) arguments.lights.push_back(parseLight(text));
   return arguments;
 }
 
@@ -61,6 +63,7 @@ void applyOverrides(Settings& settings, const ViewRequest& request) {
 Model loadModel(const ViewRequest& request, const ViewArguments& arguments) {
   Model model = loadScene(request.scene);
   applyMirrors(model.scene, arguments.mirrors);
+  addLights(model, arguments.lights);
   if (!request.sky.empty()) {
     if (const std::size_t repaired = readSky(request.sky, model.scene.sky))
       model.warnings.push_back(request.sky + ": " + std::to_string(repaired) +

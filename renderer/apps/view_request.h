@@ -23,7 +23,7 @@ struct ViewRequest {
   std::string camera, eye, target;
   std::optional<double> fov, time;
   std::string animation;
-  std::vector<std::string> mirrors, set;
+  std::vector<std::string> mirrors, lights, set;
   std::string sky, preset, config;
   std::optional<int> bounces;
   std::string context = "auto";
@@ -38,6 +38,7 @@ struct ViewArguments {
   Size size;
   CameraRequest camera;
   std::vector<MirrorArgument> mirrors;
+  std::vector<LightArgument> lights;
 };
 
 // Throws Error (usage).
@@ -48,7 +49,8 @@ Settings baseSettings(const ViewRequest& request);
 // --set, then --bounces: what the user names individually comes last.
 void applyOverrides(Settings& settings, const ViewRequest& request);
 
-// Loads the scene with its mirrors and sky, at rest. Throws Error (badInput; usage for an unknown material).
+// Loads the scene with its mirrors, added lights and sky, at rest. Throws Error (badInput; usage for an unknown
+// material).
 Model loadModel(const ViewRequest& request, const ViewArguments& arguments);
 
 // A scene and the pose that is drawn of it.

@@ -42,7 +42,7 @@ bool mayLight(uint light, Surface s) {
   return reaches && dot(s.normal, toLight) > 0.0 && dot(s.geometricNormal, toLight) > 0.0;
 }
 
-// Radiance of a directional light or of one that has a place. They share the look at the shadow map, which is most of it.
+// Radiance of a directional light or of one with a place. They share the look at the shadow map, which is most of it.
 vec3 directLight(uint light, Surface s, vec3 toEye) {
   vec4 directionType = lightTexel(light, LIGHT_DIRECTION);
   vec4 colorTexel = lightTexel(light, LIGHT_COLOR);

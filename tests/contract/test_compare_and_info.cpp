@@ -127,6 +127,20 @@ TEST(InfoCommand, KnowsTheBuiltInScenes) {
   EXPECT_GT(json["cameras"].size(), 0u);
 }
 
+TEST(InfoCommand, TellsOfAreaLights) {
+  const TemporaryFolder folder;
+  const ProgramResult result = runProgramIn(folder, "info builtin:cornell --json --light sphere:0,1,0:0.25:1,2,3");
+  EXPECT_EQ(result.exitCode, 0) << result.err;
+  const nlohmann::json lights = nlohmann::json::parse(result.out)["lights"];
+  ASSERT_EQ(lights.size(), 2u);
+  EXPECT_EQ(lights[0]["type"], "rectangle");
+  EXPECT_EQ(lights[0]["width"], 0.5);
+  EXPECT_EQ(lights[0]["direction"], nlohmann::json({0, -1, 0}));
+  EXPECT_EQ(lights[1]["type"], "sphere");
+  EXPECT_EQ(lights[1]["radius"], 0.25);
+  EXPECT_EQ(lights[1]["color"], nlohmann::json({1, 2, 3}));
+}
+
 TEST(PresetsCommand, ListsEveryPresetWithWhatItSets) {
   const TemporaryFolder folder;
   const std::string list = runProgramIn(folder, "presets").out;

@@ -53,6 +53,9 @@ TEST(ExitCodes, WrongUsageIs2) {
     expectRefused(folder, std::string("render builtin:sphere -o a.png --bounces ") + bounces, 2, "bounces");
   for (const char* mirror : {"floor", "floor=2", "floor=-1", "floor=nan", "=1"})
     expectRefused(folder, std::string("render builtin:sphere -o a.png --mirror ") + mirror, 2, "--mirror");
+  for (const char* light : {"sun", "point:0,0,0", "sphere:0,0,0:-1:1,1,1"})
+    for (const char* command : {"render builtin:sphere -o a.png --light ", "info builtin:sphere --light "})
+      expectRefused(folder, std::string(command) + light, 2, "--light");
   expectRefused(folder, "render builtin:sphere -o a.png --repeat 0", 2, "repeat");
   expectRefused(folder, "render builtin:sphere -o a.png --threads 0", 2, "threads");
 }

@@ -212,6 +212,22 @@ TEST(Render, MirrorsHaveTheGivenReflectanceAndUseTheSky) {
   EXPECT_NEAR(valueAt(layers, "B", 16, 16), 0.25, 1e-3);
 }
 
+// The middle of the back wall, 1 m from the point: a matte surface sends back its share, over pi.
+TEST(Render, LightsOfTheCommandLineAddToThoseOfTheScene) {
+  const TemporaryFolder folder;
+  const std::string render = "render builtin:cornell-empty --size 33x33 -o a.png --layers ";
+  expectDone(runProgramIn(folder, render + "plain.exr"));
+  expectDone(runProgramIn(folder, render + "lit.exr --light point:0,1,0:3.14159,0,0 --light point:0,1,0:0,6.28318,0"));
+  const Image plain = readImage(folder / "plain.exr").image, lit = readImage(folder / "lit.exr").image;
+  const auto added = [&](const char* channel) {
+    return valueAt(lit, channel, 16, 16) - valueAt(plain, channel, 16, 16);
+  };
+  EXPECT_GT(valueAt(plain, "R", 16, 16), 0.05) << "the lamp lights the wall";
+  EXPECT_NEAR(added("R"), 0.75, 5e-3);
+  EXPECT_NEAR(added("G"), 1.5, 1e-2);
+  EXPECT_EQ(added("B"), 0);
+}
+
 TEST(Render, SettingsComeInOrder) {
   const TemporaryFolder folder;
   writeWall(folder);

@@ -4,6 +4,7 @@
 
 #include <halfsilver/error.h>
 #include "apps/arguments.h"
+#include "apps/scene_input.h"
 
 namespace halfsilver {
 namespace {
@@ -109,6 +110,65 @@ TEST(Arguments, Views) {
   for (const char* text : {"", "s", "s=", "=0,0,0,0,0,1", "0,0,0,0,0,1", "s=0,0,0,0,0", "s=0,0,0,0,0,1,60,1",
                            "s=0,0,0,0,0,x", "s=0,0,0,0,0,1,", "s=0,0,0,0,0,inf"})
     EXPECT_THROW(parseView(text), Error) << text;
+}
+
+TEST(Arguments, Lights) {
+  const LightArgument directional = parseLight("directional:0,-2,0:3,2,1");
+  EXPECT_EQ(directional.light.type, LightType::directional);
+  EXPECT_EQ(directional.light.direction, glm::vec3(0, -1, 0));
+  EXPECT_EQ(directional.light.color, glm::vec3(3, 2, 1));
+  EXPECT_EQ(directional.light.intensity, 1);
+  const LightArgument point = parseLight("point:1,2,-3e6:40,0,0");
+  EXPECT_EQ(point.light.type, LightType::point);
+  EXPECT_EQ(point.position, glm::dvec3(1, 2, -3e6));
+  const LightArgument sphere = parseLight("sphere:1,2,3:0.25:1,1,1");
+  EXPECT_EQ(sphere.light.type, LightType::sphere);
+  EXPECT_EQ(sphere.light.radius, 0.25f);
+  const LightArgument rectangle = parseLight("rectangle:1,2,3:0.5,0,0:0,0,2:5,6,7");
+  EXPECT_EQ(rectangle.light.type, LightType::rectangle);
+  EXPECT_EQ(rectangle.position, glm::dvec3(1, 2, 3));
+  EXPECT_EQ(rectangle.light.direction, glm::vec3(0, -1, 0)) << "x cross z";
+  EXPECT_EQ(rectangle.light.up, glm::vec3(0, 0, 1));
+  EXPECT_EQ(rectangle.light.width, 1);
+  EXPECT_EQ(rectangle.light.height, 4);
+  EXPECT_EQ(rectangle.light.color, glm::vec3(5, 6, 7));
+}
+
+TEST(Arguments, LightsThatAreNoneSayWhatTheyTake) {
+  for (const auto& [text, expected] : std::vector<std::pair<std::string, std::string>>{
+           {"", "known are directional, point, sphere, rectangle"},
+           {"sun:0,0,0:1,1,1", "known are directional"},
+           {"point", "point:X,Y,Z:R,G,B"},
+           {"point:", "point:X,Y,Z:R,G,B"},
+           {"point:0,0,0", "point:X,Y,Z:R,G,B"},
+           {"point:0,0,0:1,1", "point:X,Y,Z:R,G,B"},
+           {"point:0,0,0:1,1,1:1", "point:X,Y,Z:R,G,B"},
+           {"point:0,0,0:1,1,x", "finite numbers"},
+           {"point:0,0,nan:1,1,1", "finite numbers"},
+           {"point:0,0,1e300:1,1,1", "finite numbers"},
+           {"point:0,0,0:1,1,-1", "negative"},
+           {"directional:0,0,0:1,1,1", "no direction"},
+           {"sphere:0,0,0:0:1,1,1", "radius"},
+           {"rectangle:0,0,0:1,0,0:1,1,1", "rectangle:X,Y,Z:UX,UY,UZ:VX,VY,VZ:R,G,B"},
+           {"rectangle:0,0,0:1,0,0:1,1,0:1,1,1", "perpendicular"},
+           {"rectangle:0,0,0:1,0,0:0,0,0:1,1,1", "longer than 0"}}) {
+    try {
+      parseLight(text);
+      ADD_FAILURE() << text;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.kind(), ErrorKind::usage);
+      EXPECT_NE(std::string(error.what()).find(expected), std::string::npos) << error.what();
+    }
+  }
+}
+
+TEST(Arguments, LightsArePlacedInTheWorld) {
+  Model model;
+  model.scene.origin = {1e6, 0, 0};
+  addLights(model, std::vector{parseLight("point:1000001,2,3:1,1,1")});
+  ASSERT_EQ(model.scene.lights.size(), 1u);
+  EXPECT_EQ(model.scene.lights[0].position, glm::vec3(1, 2, 3));
+  EXPECT_EQ(model.rig.lightNodes, std::vector<int>{-1}) << "it follows no node";
 }
 
 TEST(Arguments, MirrorsAndSettings) {
