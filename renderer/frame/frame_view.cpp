@@ -12,4 +12,14 @@ void FrameView::bindRays(const RayQueue& queue) const {
   gbuffer.visibility.bind(UNIT_VISIBILITY);
 }
 
+void FrameView::bindPixelLight() const {
+  constants.bindUniform(UBO_FRAME);
+  gbuffer.shaded.bind(UNIT_SHADED);
+  gbuffer.reflection.bind(UNIT_REFLECTION);
+  scene.sky.bind(UNIT_SKY);
+  gbuffer.position.bind(UNIT_POSITION);
+  gbuffer.normal.bind(UNIT_NORMAL);
+  gbuffer.material.bind(UNIT_MATERIAL);
+}
+
 }  // namespace halfsilver

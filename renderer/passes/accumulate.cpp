@@ -14,13 +14,7 @@ void AccumulatePass::run(const FrameView& view, Accumulation& out) {
   const auto section = view.profiler.section("composite");
   if (out.samples == 0) api_->ClearTexImage(out.sum.name(), 0, GL_RGBA, GL_FLOAT, nullptr);
   program_.use();
-  view.constants.bindUniform(UBO_FRAME);
-  gbuffer.shaded.bind(UNIT_SHADED);
-  gbuffer.reflection.bind(UNIT_REFLECTION);
-  view.scene.sky.bind(UNIT_SKY);
-  gbuffer.position.bind(UNIT_POSITION);
-  gbuffer.normal.bind(UNIT_NORMAL);
-  gbuffer.material.bind(UNIT_MATERIAL);
+  view.bindPixelLight();
   out.sum.bindImage(IMAGE_SUM, GL_READ_WRITE);
   constexpr int kGroup = 8;
   api_->DispatchCompute(static_cast<GLuint>((gbuffer.width + kGroup - 1) / kGroup),

@@ -25,13 +25,7 @@ void CompositePass::run(const FrameView& view, Output output, const Target& targ
   gl::Program& program = programs_[static_cast<std::size_t>(output)][depth];
   if (!program) program = makeProgram(draw_, output, depth);
   const auto section = view.profiler.section("composite");
-  const GBuffer& gbuffer = view.gbuffer;
-  gbuffer.shaded.bind(UNIT_SHADED);
-  gbuffer.reflection.bind(UNIT_REFLECTION);
-  view.scene.sky.bind(UNIT_SKY);
-  gbuffer.position.bind(UNIT_POSITION);
-  gbuffer.normal.bind(UNIT_NORMAL);
-  gbuffer.material.bind(UNIT_MATERIAL);
+  view.bindPixelLight();
   draw_.run(view, program, target);
 }
 

@@ -6,12 +6,6 @@
 #include "shared/passes/temporal.h"
 
 namespace halfsilver {
-namespace {
-
-constexpr int kTile = 16;
-
-}  // namespace
-
 void TemporalPass::begin(const FrameView& view) {
   const int width = view.gbuffer.width, height = view.gbuffer.height;
   if (!motion_ || motion_.shape().width != width || motion_.shape().height != height) {
@@ -62,13 +56,7 @@ void TemporalPass::run(const FrameView& view, Past past) {
   join_.set("history", past == Past::none ? HISTORY_NONE : past == Past::still ? HISTORY_STILL : HISTORY_MOVING);
   join_.set("previousEye", previous_.eye);
   join_.set("previousForward", previous_.forward);
-  view.constants.bindUniform(UBO_FRAME);
-  gbuffer.shaded.bind(UNIT_SHADED);
-  gbuffer.reflection.bind(UNIT_REFLECTION);
-  view.scene.sky.bind(UNIT_SKY);
-  gbuffer.position.bind(UNIT_POSITION);
-  gbuffer.normal.bind(UNIT_NORMAL);
-  gbuffer.material.bind(UNIT_MATERIAL);
+  view.bindPixelLight();
   gbuffer.motion.bind(UNIT_MOTION);
   motion_.bind(UNIT_REFLECTION_MOTION);
   before.surface.bind(UNIT_SURFACE_HISTORY);
@@ -77,8 +65,8 @@ void TemporalPass::run(const FrameView& view, Past past) {
   now.surface.bindImage(IMAGE_SURFACE, GL_WRITE_ONLY);
   now.reflected.bindImage(IMAGE_REFLECTED, GL_WRITE_ONLY);
   now.depths.bindImage(IMAGE_DEPTHS, GL_WRITE_ONLY);
-  api_->DispatchCompute(static_cast<GLuint>((gbuffer.width + kTile - 1) / kTile),
-                        static_cast<GLuint>((gbuffer.height + kTile - 1) / kTile), 1);
+  api_->DispatchCompute(static_cast<GLuint>((gbuffer.width + TEMPORAL_GROUP - 1) / TEMPORAL_GROUP),
+                        static_cast<GLuint>((gbuffer.height + TEMPORAL_GROUP - 1) / TEMPORAL_GROUP), 1);
   // The history is fetched by the display and by the next frame.
   api_->MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
   latest_ = 1 - latest_;

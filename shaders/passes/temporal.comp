@@ -3,7 +3,7 @@
 #include "lib/history.glsl"
 #include "lib/pixel_light.glsl"
 
-layout(local_size_x = 16, local_size_y = 16) in;
+layout(local_size_x = TEMPORAL_GROUP, local_size_y = TEMPORAL_GROUP) in;
 
 layout(binding = UNIT_MOTION) uniform sampler2D gMotion;
 layout(binding = UNIT_REFLECTION_MOTION) uniform sampler2D reflectionMotion;
@@ -18,7 +18,7 @@ uniform int history;          // HISTORY_...
 uniform vec3 previousEye;     // of the frame before
 uniform vec3 previousForward;
 
-const int TILE = 18;  // a group's pixels and their neighbors
+const int TILE = TEMPORAL_GROUP + 2;  // a group's pixels and their neighbors
 shared vec3 surfaces[TILE * TILE];
 shared vec3 reflections[TILE * TILE];
 shared vec2 depths[TILE * TILE];  // as UNIT_DEPTH_HISTORY
@@ -31,8 +31,8 @@ int tileIndex(ivec2 at) { return at.y * TILE + at.x; }
 
 void loadTile() {
   ivec2 size = ivec2(frame.width, frame.height);
-  for (int i = int(gl_LocalInvocationIndex); i < TILE * TILE; i += 256) {
-    ivec2 pixel = ivec2(gl_WorkGroupID.xy) * 16 - 1 + ivec2(i % TILE, i / TILE);
+  for (int i = int(gl_LocalInvocationIndex); i < TILE * TILE; i += TEMPORAL_GROUP * TEMPORAL_GROUP) {
+    ivec2 pixel = ivec2(gl_WorkGroupID.xy) * TEMPORAL_GROUP - 1 + ivec2(i % TILE, i / TILE);
     pixel = clamp(pixel, ivec2(0), size - 1);
     PixelLight light = pixelLight(pixel);
     float depth = texelFetch(gPosition, pixel, 0).w;

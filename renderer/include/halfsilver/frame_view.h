@@ -17,6 +17,9 @@ struct FrameView {
   // What queuedRay() of shaders/lib/queued_ray.glsl reads of a queue: SSBO_RAYS, SSBO_RAY_COUNT, the frame's constants
   // and the G-buffer.
   void bindRays(const RayQueue& queue) const;
+  // What pixelLight() of shaders/lib/pixel_light.glsl reads: the G-buffer with its lit layers, the sky and the frame's
+  // constants.
+  void bindPixelLight() const;
 };
 
 }  // namespace halfsilver

@@ -1,4 +1,4 @@
-// Bindings of temporal antialiasing: passes/reflection_motion.comp, passes/temporal.comp.
+// Bindings and constants of temporal antialiasing: passes/reflection_motion.comp, passes/temporal.comp.
 #ifndef HALFSILVER_PASSES_TEMPORAL_H
 #define HALFSILVER_PASSES_TEMPORAL_H
 
@@ -13,6 +13,8 @@
 #define IMAGE_SURFACE 0
 #define IMAGE_REFLECTED 1
 #define IMAGE_DEPTHS 2
+
+#define TEMPORAL_GROUP 16  // pixels along a side of a group of passes/temporal.comp
 
 // What a frame adds to: nothing, the mean of frames of the same moment, or what it can follow back.
 #define HISTORY_NONE 0
