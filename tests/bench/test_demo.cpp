@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <fstream>
+#include <sstream>
 
+#include <halfsilver/error.h>
+#include "bench/modes/demo/demo.h"
 #include "bench/modes/demo/report.h"
 #include "contract/program.h"
 
@@ -35,6 +38,26 @@ TEST(BenchDemo, TheFirstFramesOfALongRunDoNotCount) {
   EXPECT_EQ(summarize(pointOf(times)).growth, 49);
   times[60] = 900;
   EXPECT_DOUBLE_EQ(summarize(pointOf(times)).steady, 0.98);
+}
+
+TEST(BenchDemo, ALineThatIsNoFrameIsNamedInOneLine) {
+  const std::string good = exactText(DemoFrame{.frame = 7, .coverage = 0.25, .times = {{"trace", 1.5}}}) + "\n";
+  std::istringstream whole(good + good);
+  const std::vector<DemoFrame> frames = readFrames(whole, "lines.json");
+  ASSERT_EQ(frames.size(), 2u);
+  EXPECT_EQ(frames[1].frame, 7);
+  EXPECT_EQ(frames[1].coverage, 0.25);
+  EXPECT_EQ(frames[1].times.at("trace"), 1.5);
+  for (const std::string bad : {"{\"frame\": 1", "", "nonsense", "[]", "{}", "{\"frame\": \"one\"}"}) {
+    std::istringstream stream(good + bad + "\n" + good);
+    try {
+      readFrames(stream, "lines.json");
+      ADD_FAILURE() << bad << " was read";
+    } catch (const Error& error) {
+      EXPECT_EQ(error.kind(), ErrorKind::badInput);
+      EXPECT_STREQ(error.what(), "lines.json, line 2: not the figures of a frame in JSON");
+    }
+  }
 }
 
 #if HALFSILVER_DEMO

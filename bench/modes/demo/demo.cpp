@@ -1,9 +1,14 @@
 #include "bench/modes/demo/demo.h"
 
+#include <cstdint>
+#include <exception>
 #include <filesystem>
 #include <fstream>
+#include <istream>
 #include <iterator>
+#include <nlohmann/json.hpp>
 #include <sstream>
+#include <string>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -11,7 +16,12 @@
 #include <halfsilver/error.h>
 #include <halfsilver/io.h>
 #include "apps/demo_module.h"
+#include "bench/harness/fields.h"
+#include "bench/harness/output_folder.h"
+#include "bench/harness/tasks.h"
 #include "bench/modes/demo/report.h"
+#include "bench/report/page.h"
+#include "bench/report/report.h"
 
 namespace halfsilver::bench {
 namespace {
@@ -84,8 +94,7 @@ DemoResult measure(const Request& request, const OutputFolder& folder, const Dem
   play(demo);
   DemoResult result;
   std::istringstream stream(readFile(lines));
-  for (std::string line; std::getline(stream, line);)
-    result.frames.push_back(fromJson<DemoFrame>(nlohmann::ordered_json::parse(line)));
+  result.frames = readFrames(stream, lines.string());
   std::filesystem::remove(lines);  // the points hold it
   return result;
 }
@@ -116,6 +125,19 @@ Plan planDemo(const Setup& setup) {
 }
 
 }  // namespace
+
+std::vector<DemoFrame> readFrames(std::istream& lines, const std::string& file) {
+  std::vector<DemoFrame> frames;
+  for (std::string line; std::getline(lines, line);) {
+    try {
+      frames.push_back(fromJson<DemoFrame>(nlohmann::ordered_json::parse(line, nullptr, false)));
+    } catch (const Error&) {
+      throw Error(ErrorKind::badInput,
+                  file + ", line " + std::to_string(frames.size() + 1) + ": not the figures of a frame in JSON");
+    }
+  }
+  return frames;
+}
 
 Mode demoMode() {
   return {.name = "demo",
