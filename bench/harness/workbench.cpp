@@ -22,7 +22,9 @@ Workbench::Workbench(const Request& request)
       api_(gl::Api::load(context_.getProcAddress())),
       log_(api_),
       target_(api_, size_),
-      device_(Renderer(context_.getProcAddress()).device()) {}
+      device_(Renderer(context_.getProcAddress()).device()) {
+  keepFreedMemory();
+}
 
 RunStatistics Workbench::describe(const BenchScene& scene, const Settings& settings) const {
   RunStatistics run;

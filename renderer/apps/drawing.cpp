@@ -1,8 +1,11 @@
 #include "apps/drawing.h"
 
+#if __has_include(<malloc.h>)
+#include <malloc.h>
+#endif
+
 #include <algorithm>
-#include <span>
-#include <vector>
+#include <utility>
 
 #if HALFSILVER_EXACT
 #include <halfsilver/exact.h>
@@ -13,35 +16,6 @@ namespace {
 
 // The first draw compiles shaders, and some methods size their pool by the previous frame.
 constexpr int kMaxFirstFrames = 4;
-
-// Times of several frames together, stage by stage. Rejected ones count as the mean of the others.
-class StageSums {
- public:
-  void add(std::span<const StageTime> times) {
-    for (const StageTime& time : times) {
-      auto known = std::find_if(sums_.begin(), sums_.end(), [&](const Sum& sum) { return sum.stage == time.stage; });
-      if (known == sums_.end()) known = sums_.insert(sums_.end(), {.stage = time.stage});
-      ++known->runs;
-      if (time.milliseconds < 0) continue;
-      ++known->accepted;
-      known->milliseconds += time.milliseconds;
-    }
-  }
-  std::vector<StageTime> all() const {
-    std::vector<StageTime> times;
-    for (const Sum& sum : sums_)
-      times.push_back({sum.stage, sum.accepted ? sum.milliseconds * sum.runs / sum.accepted : -1});
-    return times;
-  }
-
- private:
-  struct Sum {
-    std::string stage;
-    double milliseconds = 0;
-    int runs = 0, accepted = 0;
-  };
-  std::vector<Sum> sums_;
-};
 
 }  // namespace
 
@@ -60,6 +34,43 @@ TracerFactory exactFactory(const Scene& scene, int threads) {
 #endif
 }
 
+void keepFreedMemory() {
+#ifdef M_TRIM_THRESHOLD
+  ::mallopt(M_MMAP_THRESHOLD, 32 << 20);
+  ::mallopt(M_TRIM_THRESHOLD, 1 << 30);
+#endif
+}
+
+void addWarnings(const std::vector<std::string>& from, std::vector<std::string>& to) {
+  for (const std::string& warning : from)
+    if (std::find(to.begin(), to.end(), warning) == to.end()) to.push_back(warning);
+}
+
+void SampleReports::add(FrameReport report) {
+  for (const StageTime& time : report.times) {
+    auto known = std::find_if(sums_.begin(), sums_.end(), [&](const Sum& sum) { return sum.stage == time.stage; });
+    if (known == sums_.end()) known = sums_.insert(sums_.end(), {.stage = time.stage});
+    ++known->runs;
+    if (time.milliseconds < 0) continue;
+    ++known->accepted;
+    known->milliseconds += time.milliseconds;
+  }
+  report.overflow += joined_.overflow;
+  report.lostFragments += joined_.lostFragments;
+  std::vector<std::string> warnings = std::move(joined_.warnings);
+  addWarnings(report.warnings, warnings);
+  joined_ = std::move(report);
+  joined_.warnings = std::move(warnings);
+}
+
+FrameReport SampleReports::joined() const {
+  FrameReport report = joined_;
+  report.times.clear();
+  for (const Sum& sum : sums_)
+    report.times.push_back({sum.stage, sum.accepted ? sum.milliseconds * sum.runs / sum.accepted : -1});
+  return report;
+}
+
 FrameReport drawPicture(Renderer& renderer, const Camera& camera, const Settings& settings, const Target& target,
                         int samples) {
   if (samples == 1) {
@@ -67,20 +78,12 @@ FrameReport drawPicture(Renderer& renderer, const Camera& camera, const Settings
     return renderer.report();
   }
   renderer.forgetHistory();
-  FrameReport report;
-  StageSums times;
-  std::uint64_t overflow = 0, lostFragments = 0;
+  SampleReports reports;
   for (int sample = samples - 1; sample >= 0; --sample) {
     renderer.refine(camera, settings, target, static_cast<std::uint32_t>(sample));
-    report = renderer.report();
-    times.add(report.times);
-    overflow += report.overflow;
-    lostFragments += report.lostFragments;
+    reports.add(renderer.report());
   }
-  report.times = times.all();
-  report.overflow = overflow;
-  report.lostFragments = lostFragments;
-  return report;
+  return reports.joined();
 }
 
 namespace {

@@ -1,12 +1,20 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include <halfsilver/context.h>
 #include <halfsilver/renderer.h>
 
 // What all programs that draw have in common.
 namespace halfsilver {
+
+inline constexpr int kMaxSamples = 4096;  // per pixel
+
+// Software rasterizers free tens of megabytes behind each frame and take them again in the next. If the C library gives
+// them back to the system meanwhile, new pages cost such a frame more than half of its time. For whoever is about to
+// draw; the whole process keeps what it frees from then on.
+void keepFreedMemory();
 
 // "auto", "egl" or "osmesa", as --context takes them.
 ContextKind contextKind(const std::string& name);
@@ -15,9 +23,28 @@ ContextKind contextKind(const std::string& name);
 // `threads` 0: one per core.
 TracerFactory exactFactory(const Scene& scene, int threads);
 
+// Adds those that are not there yet.
+void addWarnings(const std::vector<std::string>& from, std::vector<std::string>& to);
+
+// The reports of a picture's samples as one: the last frame's, with the times, the overflow and the lost fragments of
+// all together and each warning once. Times that were rejected count as the mean of their stage's others.
+class SampleReports {
+ public:
+  void add(FrameReport report);
+  FrameReport joined() const;
+
+ private:
+  struct Sum {
+    std::string stage;
+    double milliseconds = 0;
+    int runs = 0, accepted = 0;
+  };
+  std::vector<Sum> sums_;
+  FrameReport joined_;  // but for the times
+};
+
 // Draws a picture of several samples per pixel, the one at the pixel's center last, so that the renderer's layers are
-// those of an ordinary frame; of one sample, an ordinary frame. The report is the last frame's, with the times, the
-// overflow and the lost fragments of all together.
+// those of an ordinary frame; of one sample, an ordinary frame. Returns the report of all.
 FrameReport drawPicture(Renderer& renderer, const Camera& camera, const Settings& settings, const Target& target,
                         int samples);
 

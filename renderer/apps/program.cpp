@@ -1,9 +1,5 @@
 #include "apps/program.h"
 
-#if __has_include(<malloc.h>)
-#include <malloc.h>
-#endif
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <exception>
@@ -23,19 +19,9 @@ int report(const CLI::App& program, ErrorKind kind, std::string message) {
   return static_cast<int>(kind);
 }
 
-// Software rasterizers free tens of megabytes behind each frame and take them again in the next. If the C library gives
-// them back to the system meanwhile, new pages cost such a frame more than half of its time.
-void keepFreedMemory() {
-#ifdef M_TRIM_THRESHOLD
-  ::mallopt(M_MMAP_THRESHOLD, 32 << 20);
-  ::mallopt(M_TRIM_THRESHOLD, 1 << 30);
-#endif
-}
-
 }  // namespace
 
 int runCommand(CLI::App& program, int argc, const char* const* argv) {
-  keepFreedMemory();
   program.set_version_flag("--version", version());
   program.require_subcommand(1);
   program.footer(

@@ -29,8 +29,6 @@ struct RenderRequest {
   std::optional<double> budgetMilliseconds, budgetMegabytes;
 };
 
-constexpr int kMaxSamples = 4096;
-
 // Frames that a budget may take to settle.
 constexpr int kMaxBudgetFrames = 60;
 

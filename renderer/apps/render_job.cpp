@@ -1,6 +1,5 @@
 #include "apps/render_job.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "apps/drawing.h"
@@ -36,17 +35,13 @@ RenderJob::RenderJob(const ViewRequest& request, const ViewArguments& arguments,
       api(gl::Api::load(context.getProcAddress())),
       target(api, arguments.size),
       renderer(context.getProcAddress(), exactFactory(view.model.scene, request.threads)) {
+  keepFreedMemory();
   statistics.device = renderer.device();
   statistics.context = context.name();
   clock.lap("context");
   progress.show("uploading " + std::to_string(statistics.triangles) + " triangles");
   show(view, renderer);
   clock.lap("upload");
-}
-
-void addWarnings(const std::vector<std::string>& from, std::vector<std::string>& to) {
-  for (const std::string& warning : from)
-    if (std::find(to.begin(), to.end(), warning) == to.end()) to.push_back(warning);
 }
 
 void warnOfLosses(const FrameReport& report, std::vector<std::string>& warnings) {

@@ -28,8 +28,6 @@ struct RenderJob {
   Renderer renderer;
 };
 
-// Adds those that are not there yet.
-void addWarnings(const std::vector<std::string>& from, std::vector<std::string>& to);
 // Adds what the report says was lost.
 void warnOfLosses(const FrameReport& report, std::vector<std::string>& warnings);
 

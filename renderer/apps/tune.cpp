@@ -217,6 +217,7 @@ void tune(const TuneRequest& request) {
   progress.show("loading " + request.view.scene);
   const PosedView view = loadView(request.view, arguments);
   const Camera camera = chooseCamera(view, arguments.camera);
+  keepFreedMemory();
   const Context context = makeContext(contextKind(request.view.context));
   const gl::Api api = gl::Api::load(context.getProcAddress());
   const OffscreenTarget target(api, arguments.size);

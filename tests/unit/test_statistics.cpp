@@ -4,6 +4,7 @@
 
 #include <halfsilver/error.h>
 #include "apps/arguments.h"
+#include "apps/drawing.h"
 #include "apps/scene_input.h"
 
 namespace halfsilver {
@@ -20,6 +21,31 @@ std::vector<StageSummary> summarize(const std::vector<double>& samples) {
   StageTimes times;
   for (const double sample : samples) times.add(std::vector<StageTime>{{"trace", sample}});
   return times.summarize();
+}
+
+TEST(SampleReports, AreOneReportOfAllSamples) {
+  const auto sample = [](double trace, std::vector<std::string> warnings) {
+    FrameReport report;
+    report.times = {{"trace", trace}, {"shade", 1}};
+    report.overflow = 2;
+    report.lostFragments = 3;
+    report.selected = static_cast<std::uint64_t>(trace);
+    report.warnings = std::move(warnings);
+    return report;
+  };
+  SampleReports reports;
+  reports.add(sample(4, {"a", "b"}));
+  reports.add(sample(-1, {"c", "b"}));
+  reports.add(sample(8, {}));
+  const FrameReport joined = reports.joined();
+  EXPECT_EQ(joined.warnings, (std::vector<std::string>{"a", "b", "c"})) << "each once, in their order";
+  EXPECT_EQ(joined.overflow, 6u);
+  EXPECT_EQ(joined.lostFragments, 9u);
+  EXPECT_EQ(joined.selected, 8u) << "the last one's";
+  ASSERT_EQ(joined.times.size(), 2u);
+  EXPECT_EQ(joined.times[0].stage, "trace");
+  EXPECT_DOUBLE_EQ(joined.times[0].milliseconds, 18) << "the rejected one counts as the mean";
+  EXPECT_DOUBLE_EQ(joined.times[1].milliseconds, 3);
 }
 
 TEST(StageTimes, MedianMinMax) {

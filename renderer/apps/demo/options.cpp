@@ -7,6 +7,7 @@
 
 #include <halfsilver/error.h>
 #include <halfsilver/io.h>
+#include "apps/drawing.h"
 
 namespace halfsilver::demo {
 

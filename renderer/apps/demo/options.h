@@ -15,8 +15,6 @@ inline constexpr const char* kViewNames[] = {"picture",      "selection", "what 
 enum class Cells { none, bricks, voxels };
 inline constexpr const char* kCellNames[] = {"none", "bricks", "voxels by the length of their lists"};
 
-inline constexpr int kMaxSamples = 4096;
-
 // What the player has chosen.
 struct Options {
   Settings settings, other;  // of the picture, and of the right side of a split screen

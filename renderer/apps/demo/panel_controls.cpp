@@ -9,6 +9,7 @@
 #include <halfsilver/methods.h>
 #include "apps/demo/panels.h"
 #include "apps/demo/viewer.h"
+#include "apps/drawing.h"
 
 namespace halfsilver::demo {
 namespace {
