@@ -8,9 +8,11 @@
 #include "frame/gpu_scene.h"
 #include "gl/program.h"
 #include "gl/state_guard.h"
+#include "scene/rig_check.h"
 #include "scene/vertex_ranges.h"
 
 namespace halfsilver {
+
 // A record that neither a frame under way nor report() needs; if need be, the one that arrivedReport() missed longest.
 std::size_t Renderer::Impl::takeRecord() {
   const auto needed = [this](std::size_t record) {
@@ -275,7 +277,16 @@ void Renderer::Impl::load(const Scene& wanted, std::vector<PosedPart> posed) {
 
 void Renderer::Impl::pose(const PoseState& state) {
   motionPass.advance(scene);
-  GpuRig::Change posed = rig->take(state, scene);
+  GpuRig::Change posed;
+  try {
+    rig->take(state, scene, posed);
+  } catch (...) {
+    if (posed.scene.any()) {
+      noteChange(posed.scene);  // some of it may have been done
+      shadowChange.everything = true;
+    }
+    throw;
+  }
   posed.scene.lights = rig->follow(state, lights);
   if (!posed.scene.any()) return;
   shadowChange.add(posed.touched);
@@ -303,14 +314,20 @@ void Renderer::setScene(const Scene& scene) {
   r.load(scene, {});
 }
 
-void Renderer::setModel(const Model& model) {
+void Renderer::setModel(const Model& model) { setModel(model, animatedBounds(model)); }
+
+void Renderer::setModel(const Model& model, const AnimatedBounds& bounds) {
   Impl& r = *impl_;
   if (!r.underWay.empty()) throw Error(ErrorKind::usage, "setModel(): a frame is under way, finish() it first");
+  checkRig(model);
+  if (bounds.instances.size() != model.rig.instances.size())
+    throw Error(ErrorKind::usage, "setModel(): there are bounds of " + std::to_string(bounds.instances.size()) +
+                                      " instances, the model has " + std::to_string(model.rig.instances.size()));
   const gl::StateGuard guard(r.api);
   r.hasScene = false;
   r.rig.reset();  // its memory goes before the new one's comes
   r.rig.emplace(r.api, model);
-  r.load(model.scene, posedParts(model));
+  r.load(model.scene, posedParts(model, bounds.instances));
 }
 
 void Renderer::pose(const PoseState& state) {
@@ -326,12 +343,8 @@ void Renderer::update(const Scene& scene, const SceneChange& change) {
   if (!r.hasScene) throw Error(ErrorKind::usage, "update() needs a scene: call setScene() first");
   if (!r.underWay.empty()) throw Error(ErrorKind::usage, "update(): a frame is under way, finish() it first");
   if (change.topology) throw Error(ErrorKind::usage, "update(): another topology is another scene, call setScene()");
+  refusePosed(change, r.scene.extents.posed());
   if (!change.any()) return;
-  const std::vector<VertexRange> ranges = mergeRanges(change.moved);
-  for (const PosedPart& part : r.scene.extents.posed())
-    if (part.vertices.count > 0 &&
-        touchesRange(ranges, part.vertices.first, part.vertices.first + part.vertices.count - 1))
-      throw Error(ErrorKind::usage, "update(): the vertices are those of an animated instance, which pose() moves");
   const gl::StateGuard guard(r.api);
   r.upload(scene, change);
 }

@@ -106,9 +106,8 @@ void renderSequence(const SequenceRequest& request, Progress& progress, WallCloc
   progress.show("loading " + request.view.scene);
   PosedView loaded{loadModel(request.view, request.arguments), {}, {}};
   const std::vector<int> animations = chooseAnimations(request.view, loaded.model);
-  const auto playingAt = [&](int frame) { return playTogether(animations, frame / request.range.framesPerSecond); };
-  loaded.state = evaluate(loaded.model.rig, playingAt(frames.front()));
-  loaded.bounds = animatedBounds(loaded.model);
+  const auto timeOf = [&](int frame) { return frame / request.range.framesPerSecond; };
+  poseView(loaded, animations, timeOf(frames.front()));
   static_cast<void>(chooseCamera(loaded, request.arguments.camera));  // an unknown one is found out before the rest
   clock.lap("load");
   Settings settings = request.settings;
@@ -117,7 +116,7 @@ void renderSequence(const SequenceRequest& request, Progress& progress, WallCloc
 
   // Motion is that since the frame before: if that one was not drawn, it is drawn now and not kept.
   const auto draw = [&](int frame, int samples, FrameReport& report) {
-    job.view.state = evaluate(job.view.model.rig, playingAt(frame));
+    poseView(job.view, animations, timeOf(frame));
     job.renderer.pose(*job.view.state);
     return drawFirstFrame(job.renderer, chooseCamera(job.view, request.arguments.camera), settings, job.target.target(),
                           report, samples);

@@ -16,7 +16,7 @@ void addViewOptions(CLI::App& command, ViewRequest& request) {
   command.add_option("--fov", request.fov, "Vertical field of view in degrees, with --eye or a camera of the scene");
   command.add_option("--time", request.time, "Pose the scene at this time of its animations, in seconds");
   command.add_option("--animation", request.animation,
-                     "Play this animation, by name or index (default: all that move different things)");
+                     "Play this animation, by name or index, or all that move different things (default: all)");
   command
       .add_option("--mirror", request.mirrors,
                   "MATERIAL=REFLECTIVITY: turn a material into a mirror; * for all materials")
@@ -81,12 +81,18 @@ PosedView loadView(const ViewRequest& request, const ViewArguments& arguments) {
   if (!request.time && !request.animation.empty())
     throw Error(ErrorKind::usage, "--animation needs --time or --frames");
   PosedView view{loadModel(request, arguments), {}, {}};
+  view.bounds = view.model.scene.bounds();
   if (request.time)
-    view.state = evaluate(view.model.rig, playTogether(chooseAnimations(request, view.model), *request.time));
-  const Bounds rest = view.model.scene.bounds();
-  // What is a point or nothing at rest is framed as it will be.
-  view.bounds = view.state || !(rest.diagonal() > 0) ? animatedBounds(view.model) : rest;
+    poseView(view, chooseAnimations(request, view.model), *request.time);
+  else if (!(view.bounds.diagonal() > 0))
+    view.bounds = animatedBounds(view.model).all;  // what is a point or nothing at rest is framed as it will be
   return view;
+}
+
+void poseView(PosedView& view, std::span<const int> animations, double seconds) {
+  view.state = evaluate(view.model.rig, playTogether(animations, seconds));
+  if (!view.animated) view.animated = animatedBounds(view.model);
+  view.bounds = view.animated->all;
 }
 
 Camera chooseCamera(const PosedView& view, const CameraRequest& request) {
@@ -98,7 +104,7 @@ Camera chooseCamera(const PosedView& view, const CameraRequest& request) {
 
 void show(const PosedView& view, Renderer& renderer) {
   if (!view.state) return renderer.setScene(view.model.scene);
-  renderer.setModel(view.model);
+  renderer.setModel(view.model, *view.animated);
   renderer.pose(*view.state);
 }
 

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -55,9 +56,10 @@ Model loadModel(const ViewRequest& request, const ViewArguments& arguments);
 
 // A scene and the pose that is drawn of it.
 struct PosedView {
-  Model model;                     // at rest
-  std::optional<PoseState> state;  // nothing: the rest
-  Bounds bounds;                   // of what is drawn: with a pose, of all that the animations do
+  Model model;                                  // at rest
+  std::optional<PoseState> state;               // nothing: the rest
+  Bounds bounds;                                // of what is drawn: with a pose, of all that the animations do
+  std::optional<AnimatedBounds> animated = {};  // if they had to be found
 };
 
 // With the pose at --time, if that is given. Throws Error: as loadModel(), and usage for an unknown animation.
@@ -65,6 +67,9 @@ PosedView loadView(const ViewRequest& request, const ViewArguments& arguments);
 
 // As in the pose; if the scene has none and none is asked for, one that shows the bounds.
 Camera chooseCamera(const PosedView& view, const CameraRequest& request);
+
+// Poses it as the animations do at a time.
+void poseView(PosedView& view, std::span<const int> animations, double seconds);
 
 // Uploads the scene. It is posed on the GPU, or where scene.posing says.
 void show(const PosedView& view, Renderer& renderer);

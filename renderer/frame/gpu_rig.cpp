@@ -16,30 +16,14 @@
 namespace halfsilver {
 namespace {
 
-// A posed vertex is a sum of at most so many rounded terms, each below InstanceShape::Placed::largest.
+// A posed vertex is a sum of at most so many rounded terms, each below InstanceShape::Placed::largest, and of one for
+// each morph target that has a weight.
 constexpr double kRoundedTerms = 8;
 
-void requireFit(const Model& model, const Instance& instance, std::uint32_t firstTriangle) {
-  const Scene& scene = model.scene;
-  const std::size_t vertices = instance.rest.size();
-  const bool skinned = instance.skin >= 0;
-  const bool inside = instance.firstTriangle >= firstTriangle &&
-                      std::size_t{instance.firstVertex} + vertices <= scene.vertices.size() &&
-                      std::size_t{instance.firstTriangle} + instance.triangleCount <= scene.triangles.size() &&
-                      instance.node >= 0 && static_cast<std::size_t>(instance.node) < model.rig.nodes.size() &&
-                      (!skinned || (static_cast<std::size_t>(instance.skin) < model.rig.skins.size() &&
-                                    !model.rig.skins[static_cast<std::size_t>(instance.skin)].joints.empty()));
-  const bool whole = instance.vertexCount == vertices && (!instance.flatNormals || vertices % 3 == 0) &&
-                     (!skinned || (instance.joints.size() == vertices && instance.weights.size() == vertices));
-  const bool morphs = std::all_of(instance.targets.begin(), instance.targets.end(), [vertices](const auto& target) {
-    const auto fits = [vertices](const std::vector<glm::vec3>& deltas) {
-      return deltas.empty() || deltas.size() == vertices;
-    };
-    return fits(target.positions) && fits(target.normals) && fits(target.tangents);
-  });
-  if (!inside || !whole || !morphs)
-    throw Error(ErrorKind::badInput, "scene '" + scene.name + "': an instance of node " +
-                                         std::to_string(instance.node) + " does not fit its rig");
+double roundedTerms(const Instance& instance, std::span<const double> weights) {
+  const auto used = weights.first(std::min(weights.size(), instance.targets.size()));
+  return kRoundedTerms + static_cast<double>(used.size()) -
+         static_cast<double>(std::count(used.begin(), used.end(), 0));
 }
 
 // What the GPU keeps of all instances.
@@ -104,10 +88,7 @@ GpuRig::GpuRig(const gl::Api& api, const Model& model) : rig_(model.rig), origin
   if (rig_.instances.empty()) return;
   RestData data;
   std::size_t groups = 0, matrices = 0, weights = 0;
-  std::uint32_t triangles = 0;  // up to the next instance's
   for (const Instance& instance : rig_.instances) {
-    requireFit(model, instance, triangles);
-    triangles = instance.firstTriangle + instance.triangleCount;
     Part& part =
         parts_.emplace_back(Part{.shape = InstanceShape(rig_, instance), .shares = matrixShares(rig_, instance)});
     part.fits = data.fits(instance, static_cast<std::size_t>(api.limits.storageBlockBytes));
@@ -153,37 +134,43 @@ std::vector<GpuRig::Next> GpuRig::next(const PoseState& state) const {
   return all;
 }
 
-GpuRig::Change GpuRig::take(const PoseState& state, GpuScene& scene) {
+void GpuRig::take(const PoseState& state, GpuScene& scene, Change& change) {
   std::vector<Next> all = next(state);
-  state_ = state;
+  PoseState taken = state;
   std::vector<Bounds> boxes;
   for (const Next& each : all) boxes.push_back(each.moves ? each.placed.bounds : Bounds());
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    const Instance& instance = rig_.instances[i];
+    if (!all[i].moves) continue;
+    if (instance.vertexCount > 0) addRange(change.scene.moved, instance);
+    if (mirrored(all[i].matrices, parts_[i].shares) != instance.turned && instance.triangleCount > 0)
+      change.scene.turned.push_back({instance.firstTriangle, instance.triangleCount});
+  }
+  // What is not done to its end has no pose, so that the next one does it again.
+  for (std::size_t i = 0; i < parts_.size(); ++i)
+    if (all[i].moves) parts_[i].forgetPose();
+  state_ = std::move(taken);
   scene.extents.hold(boxes);
+  change.touched = scene.clusters.follow(boxes);
   // That of a pose alone, whatever poses came before.
   const double tolerance = kTolerance * static_cast<double>(scene.extents.usual().diagonal());
-  Change change;
   for (std::size_t i = 0; i < parts_.size(); ++i) {
     Instance& instance = rig_.instances[i];
     Part& part = parts_[i];
     Next& next = all[i];
     if (!next.moves) continue;
     const bool turned = mirrored(next.matrices, part.shares);
-    if (turned != instance.turned && instance.triangleCount > 0) {
-      const TriangleRange triangles{instance.firstTriangle, instance.triangleCount};
-      turnTriangles(scene, triangles);
-      change.scene.turned.push_back(triangles);
-    }
+    if (turned != instance.turned && instance.triangleCount > 0)
+      turnTriangles(scene, {instance.firstTriangle, instance.triangleCount});
     instance.turned = turned;
-    const double error =
-        kRoundedTerms * next.placed.largest * static_cast<double>(std::numeric_limits<float>::epsilon());
-    part.waiting = part.fits && !next.placed.flat && error <= tolerance;
-    if (!part.waiting) placeOnCpu(i, scene);
+    const double error = roundedTerms(instance, next.weights) * next.placed.largest *
+                         static_cast<double>(std::numeric_limits<float>::epsilon());
+    const bool onGpu = part.fits && !next.placed.flat && error <= tolerance;
+    if (!onGpu) placeOnCpu(i, scene);
     part.matrices = std::move(next.matrices);
     part.weights = std::move(next.weights);
-    if (instance.vertexCount > 0) addRange(change.scene.moved, instance);
+    part.waiting = onGpu;
   }
-  change.touched = scene.clusters.follow(boxes);
-  return change;
 }
 
 bool GpuRig::waiting() const {
@@ -198,8 +185,14 @@ void GpuRig::placeOnCpu(std::size_t part, GpuScene& scene) const {
 }
 
 void GpuRig::placeOnCpu(GpuScene& scene) {
-  for (std::size_t i = 0; i < parts_.size(); ++i)
-    if (std::exchange(parts_[i].waiting, false)) placeOnCpu(i, scene);
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    if (parts_[i].waiting) placeOnCpu(i, scene);
+    parts_[i].waiting = false;
+  }
+}
+
+void GpuRig::placed() {
+  for (Part& part : parts_) part.waiting = false;
 }
 
 bool GpuRig::follow(const PoseState& state, std::span<Light> lights) {
@@ -225,8 +218,8 @@ std::vector<GpuRig::Batch> GpuRig::upload() {
   std::vector<shared::PoseMatrix> matrices;
   std::vector<shared::MorphWeight> weights;
   for (std::size_t i = 0; i < parts_.size(); ++i) {
-    Part& part = parts_[i];
-    if (!std::exchange(part.waiting, false)) continue;
+    const Part& part = parts_[i];
+    if (!part.waiting) continue;
     const Instance& instance = rig_.instances[i];
     const Batch batch{instance.skin >= 0, !instance.targets.empty(), instance.flatNormals};
     kinds[batch.kind()] = batch;
@@ -274,8 +267,7 @@ std::size_t GpuRig::bytes() const {
   return rest_.bytes() + influences_.bytes() + deltas_.bytes() + weights_.bytes() + matrices_.bytes() + groups_.bytes();
 }
 
-std::vector<PosedPart> posedParts(const Model& model) {
-  const std::vector<Bounds> bounds = instanceBounds(model);
+std::vector<PosedPart> posedParts(const Model& model, std::span<const Bounds> bounds) {
   std::vector<PosedPart> parts;
   for (std::size_t i = 0; i < bounds.size(); ++i) {
     const Instance& instance = model.rig.instances[i];

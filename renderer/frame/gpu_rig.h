@@ -19,7 +19,7 @@ class GpuRig {
  public:
   static constexpr double kTolerance = 1e-5;  // of the scene's diagonal
 
-  // Of the model whose scene was uploaded with posedParts(). Throws Error (badInput) if an instance does not fit it.
+  // Of the model whose scene was uploaded with posedParts(), and which checkRig() has passed.
   GpuRig(const gl::Api& api, const Model& model);
 
   struct Change {
@@ -27,10 +27,11 @@ class GpuRig {
     std::vector<Bounds> touched;  // boxes that they have left or come into
   };
   // Has the scene follow a pose. Bounds, winding and what the CPU poses are right at once, the rest after the next
-  // PosePass::run(). The first pose moves every instance, later ones those that they place elsewhere. Throws, before
-  // anything is changed, Error (usage) if the pose is of another rig and Error (badInput) if it leaves the range of
-  // floats.
-  Change take(const PoseState& state, GpuScene& scene);
+  // PosePass::run(). The first pose moves every instance, later ones those that they place elsewhere. Fills `change`,
+  // which is empty before, ahead of what is done to the scene: if it throws with `change` empty nothing has been done,
+  // else any part of it, and the next pose moves these instances again. Throws Error (usage) if the pose is of another
+  // rig and Error (badInput) if it leaves the range of floats, with nothing done.
+  void take(const PoseState& state, GpuScene& scene, Change& change);
 
   // Attached lights follow the nodes that the pose moves. Returns whether one did.
   bool follow(const PoseState& state, std::span<Light> lights);
@@ -45,12 +46,13 @@ class GpuRig {
     static constexpr std::size_t kKinds = 8;
     std::size_t kind() const { return (skinned ? 1u : 0u) + (morphed ? 2u : 0u) + (flatNormals ? 4u : 0u); }
   };
-  // For the pass: whether instances wait for it; places them on the CPU; or uploads their pose and returns the batches,
-  // of a kind each. After either they wait no more. bind(): SSBO_REST to SSBO_POSE_GROUPS.
+  // For the pass: whether instances wait for it; places them on the CPU, so that they wait no more; or uploads their
+  // pose and returns the batches, of a kind each, until they have been placed(). bind(): SSBO_REST to SSBO_POSE_GROUPS.
   bool waiting() const;
   void placeOnCpu(GpuScene& scene);
   std::vector<Batch> upload();
   void bind() const;
+  void placed();
 
   std::size_t bytes() const;
 
@@ -65,6 +67,11 @@ class GpuRig {
     std::vector<glm::dmat4> matrices{};
     std::vector<double> weights{};
     bool waiting = false;
+
+    void forgetPose() {
+      matrices.clear();
+      waiting = false;
+    }
   };
   // What becomes of a part in a pose.
   struct Next {
@@ -85,7 +92,7 @@ class GpuRig {
   gl::Buffer weights_, matrices_, groups_;  // with room for all parts at once
 };
 
-// The parts of a scene that poses of the model move.
-std::vector<PosedPart> posedParts(const Model& model);
+// The parts of a scene that poses of the model move, in the AnimatedBounds::instances of it.
+std::vector<PosedPart> posedParts(const Model& model, std::span<const Bounds> bounds);
 
 }  // namespace halfsilver

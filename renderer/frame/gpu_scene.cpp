@@ -74,12 +74,25 @@ void uploadIndices(const gl::Api& api, GpuScene& gpu, std::span<const glm::uvec4
   gpu.indices = gl::makeBuffer(api, std::span<const std::uint32_t>(indices), "indices");
 }
 
-void uploadTurned(const gl::Api& api, GpuScene& gpu, const Scene& scene, std::span<const TriangleRange> ranges) {
-  if (ranges.empty()) return;
-  const std::vector<glm::uvec4> triangles = packTriangles(scene.triangles);
-  for (const TriangleRange& range : ranges)
-    gpu.triangles.write(std::span(triangles).subspan(range.first, range.count), range.first);
-  uploadIndices(api, gpu, triangles, gpu.clusters.drawList());
+// Triangles from `first` on, wherever they are kept.
+void writeTriangles(GpuScene& gpu, std::span<const glm::uvec4> triangles, std::uint32_t first) {
+  // Within a range of the draw list triangles keep the scene's order: these are neighbors.
+  const std::span<const std::uint32_t> drawList = gpu.clusters.drawList();
+  std::vector<std::pair<std::size_t, std::vector<std::uint32_t>>> runs;  // of indices, and where they begin
+  for (const DrawRange& drawn : gpu.drawRanges) {
+    if (drawn.cut) continue;
+    const auto numbers = drawList.subspan(drawn.first, drawn.count);
+    const auto begin = std::lower_bound(numbers.begin(), numbers.end(), first);
+    const auto end = std::lower_bound(begin, numbers.end(), first + triangles.size());
+    auto& [place, indices] = runs.emplace_back();
+    place = 3 * (drawn.first + static_cast<std::size_t>(begin - numbers.begin()));
+    for (auto number = begin; number != end; ++number) {
+      const glm::uvec4& triangle = triangles[*number - first];
+      indices.insert(indices.end(), {triangle.x, triangle.y, triangle.z});
+    }
+  }
+  gpu.triangles.write(triangles, first);
+  for (const auto& [place, indices] : runs) gpu.indices.write(std::span<const std::uint32_t>(indices), place);
 }
 
 bool sameBytes(std::span<const shared::GpuMaterial> a, std::span<const shared::GpuMaterial> b) {
@@ -157,22 +170,7 @@ void writeVertices(GpuScene& gpu, std::span<const Vertex> vertices, std::size_t 
 void turnTriangles(GpuScene& gpu, const TriangleRange& range) {
   std::vector<glm::uvec4> triangles = gpu.triangles.read<glm::uvec4>(range.count, range.first);
   for (glm::uvec4& triangle : triangles) std::swap(triangle.y, triangle.z);
-  gpu.triangles.write(std::span<const glm::uvec4>(triangles), range.first);
-  // Within a range of the draw list triangles keep the scene's order: these are neighbors.
-  const std::span<const std::uint32_t> drawList = gpu.clusters.drawList();
-  for (const DrawRange& drawn : gpu.drawRanges) {
-    if (drawn.cut) continue;
-    const auto numbers = drawList.subspan(drawn.first, drawn.count);
-    const auto first = std::lower_bound(numbers.begin(), numbers.end(), range.first);
-    const auto last = std::lower_bound(first, numbers.end(), range.first + range.count);
-    std::vector<std::uint32_t> indices;
-    for (auto number = first; number != last; ++number) {
-      const glm::uvec4& triangle = triangles[*number - range.first];
-      indices.insert(indices.end(), {triangle.x, triangle.y, triangle.z});
-    }
-    gpu.indices.write(std::span<const std::uint32_t>(indices),
-                      3 * (drawn.first + static_cast<std::size_t>(first - numbers.begin())));
-  }
+  writeTriangles(gpu, triangles, range.first);
 }
 
 GpuScene uploadScene(const gl::Api& api, const Scene& scene, std::vector<PosedPart> posed) {
@@ -213,7 +211,8 @@ std::vector<Bounds> updateScene(const gl::Api& api, GpuScene& gpu, const Scene& 
   if (change.sky) gpu.sky = uploadSky(api, scene.sky);
   for (const VertexRange& range : change.moved)
     writeVertices(gpu, std::span(scene.vertices).subspan(range.first, range.count), range.first);
-  uploadTurned(api, gpu, scene, change.turned);
+  for (const TriangleRange& range : change.turned)
+    writeTriangles(gpu, packTriangles(std::span(scene.triangles).subspan(range.first, range.count)), range.first);
   gpu.extents.update(scene, change.moved);
   return gpu.clusters.update(scene, change.moved);
 }

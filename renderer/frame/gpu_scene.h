@@ -23,7 +23,7 @@ std::vector<Bounds> updateScene(const gl::Api& api, GpuScene& gpu, const Scene& 
 // Vertices from `first` on.
 void writeVertices(GpuScene& gpu, std::span<const Vertex> vertices, std::size_t first);
 
-// Has triangles wind the other way round. Reads them back: waits for the GPU.
+// Has triangles wind the other way round, or throws before any does. Reads them back: waits for the GPU.
 void turnTriangles(GpuScene& gpu, const TriangleRange& range);
 
 }  // namespace halfsilver

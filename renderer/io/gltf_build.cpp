@@ -261,7 +261,7 @@ class Builder {
     }
     if (scene.cameras.empty()) {
       // What is a point or nothing at rest is framed as its animations make it.
-      scene.cameras.push_back(frameAll(bounds.diagonal() > 0 ? bounds : animatedBounds(model_)));
+      scene.cameras.push_back(frameAll(bounds.diagonal() > 0 ? bounds : animatedBounds(model_).all));
       model_.rig.cameraNodes.push_back(-1);
       diagnostics_.warn("the scene has no camera: the view shows the whole scene");
     }

@@ -26,6 +26,7 @@ void PosePass::run(GpuRig& rig, GpuScene& scene, Posing posing, gl::Profiler& pr
     constexpr std::uint32_t kMaxGroups = 65535;  // along an axis
     api_->DispatchCompute(std::min(batch.groupCount, kMaxGroups), (batch.groupCount + kMaxGroups - 1) / kMaxGroups, 1);
   }
+  rig.placed();
   // Vertices (compute) are read by the shaders of all passes, copied for motion vectors and read by tracers on the CPU.
   api_->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
 }

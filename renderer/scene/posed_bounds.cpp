@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "scene/pose.h"
+#include "scene/rig_check.h"
 
 namespace halfsilver {
 namespace {
@@ -36,14 +37,10 @@ bool isFlat(const glm::dmat3& linear) {
   return std::abs(glm::determinant(linear)) < kFlat * lengths;
 }
 
-void add(Bounds& bounds, const Bounds& other) {
-  bounds.low = glm::min(bounds.low, other.low);
-  bounds.high = glm::max(bounds.high, other.high);
-}
-
-class AnimatedBounds {
+// Of all animations, each sampled over its time.
+class Sweeps {
  public:
-  explicit AnimatedBounds(const Model& model) : model_(model), bounds_(model.rig.instances.size()) {
+  explicit Sweeps(const Model& model) : model_(model), bounds_(model.rig.instances.size()) {
     for (const Instance& instance : model.rig.instances) shapes_.emplace_back(model.rig, instance);
   }
 
@@ -95,7 +92,7 @@ class AnimatedBounds {
                         model_.scene.origin);
       if (!placed.finite) continue;
       boxes[i] = placed.bounds;
-      add(bounds_[i], placed.bounds);
+      bounds_[i].add(placed.bounds);
     }
     return boxes;
   }
@@ -168,13 +165,12 @@ InstanceShape::Placed InstanceShape::at(std::span<const glm::dmat4> matrices, st
   return placed;
 }
 
-std::vector<Bounds> instanceBounds(const Model& model) {
-  return model.rig.instances.empty() ? std::vector<Bounds>() : AnimatedBounds(model).run();
-}
-
-Bounds animatedBounds(const Model& model) {
-  Bounds bounds = model.scene.bounds();
-  for (const Bounds& instance : instanceBounds(model)) add(bounds, instance);
+AnimatedBounds animatedBounds(const Model& model) {
+  checkRig(model);
+  AnimatedBounds bounds;
+  if (!model.rig.instances.empty()) bounds.instances = Sweeps(model).run();
+  bounds.all = model.scene.bounds();
+  for (const Bounds& instance : bounds.instances) bounds.all.add(instance);
   return bounds;
 }
 

@@ -37,8 +37,4 @@ class InstanceShape {
   std::vector<Box> deltas_;  // of each morph target
 };
 
-// For each instance of the rig a box of all that its animations make of it, one at a time and together. Poses between
-// the sampled ones may leave it by a little, poses of the caller's own by much.
-std::vector<Bounds> instanceBounds(const Model& model);
-
 }  // namespace halfsilver

@@ -31,11 +31,6 @@ Bounds boundsOf(const Scene& scene, const Triangle& triangle) {
   return bounds;
 }
 
-void add(Bounds& bounds, const Bounds& other) {
-  bounds.low = glm::min(bounds.low, other.low);
-  bounds.high = glm::max(bounds.high, other.high);
-}
-
 bool reachesBeyond(const Bounds& inner, const Bounds& outer) {
   return glm::any(glm::lessThan(inner.low, outer.low)) || glm::any(glm::greaterThan(inner.high, outer.high));
 }
@@ -43,7 +38,7 @@ bool reachesBeyond(const Bounds& inner, const Bounds& outer) {
 // The box, grown by steps of a size that doubles from kSlack on, until it holds the other one.
 Bounds grown(const Bounds& own, const Bounds& other) {
   Bounds result = own;
-  add(result, other);
+  result.add(other);
   const float step = kSlack * longestSide(own);
   if (own.empty() || !(step > 0)) return result;
   const auto stepped = [step](float beyond) {
@@ -86,7 +81,7 @@ SceneExtents::SceneExtents(const Scene& scene, std::vector<PosedPart> posed)
   }
   for (PosedPart& part : posed_)
     for (std::uint32_t t = 0; t < part.triangles.count; ++t)
-      add(part.bounds, boundsOf(scene, scene.triangles[part.triangles.first + t]));
+      part.bounds.add(boundsOf(scene, scene.triangles[part.triangles.first + t]));
   held_.reserve(posed_.size());
   for (const PosedPart& part : posed_) held_.push_back(part.bounds);
   combine(scene);
@@ -102,8 +97,8 @@ void SceneExtents::grow() {
   bounds_ = usual_;
   core_.bounds = usualCore_;
   for (const Bounds& held : held_) {
-    add(bounds_, held);
-    add(core_.bounds, held);  // triangles that reach beyond it no more may still be called outer ones
+    bounds_.add(held);
+    core_.bounds.add(held);  // triangles that reach beyond it no more may still be called outer ones
   }
 }
 
@@ -138,7 +133,7 @@ void SceneExtents::measure(const Scene& scene, std::size_t block) {
   b.bounds = Bounds();
   b.largest = 0;
   forEachStill(scene, block, [&](std::uint32_t, const Bounds& bounds) {
-    add(b.bounds, bounds);
+    b.bounds.add(bounds);
     b.largest = std::max(b.largest, longestSide(bounds));
   });
 }
@@ -165,9 +160,9 @@ float SceneExtents::largestThatStays(const Scene& scene) const {
 
 void SceneExtents::combine(const Scene& scene) {
   Bounds inner;
-  for (const PosedPart& part : posed_) add(inner, part.bounds);
+  for (const PosedPart& part : posed_) inner.add(part.bounds);
   usual_ = inner;
-  for (const Block& block : blocks_) add(usual_, block.bounds);
+  for (const Block& block : blocks_) usual_.add(block.bounds);
   usualCore_ = usual_;
   core_.outer.clear();
   findOuter(scene, inner);
@@ -182,14 +177,14 @@ void SceneExtents::findOuter(const Scene& scene, Bounds inner) {
   std::vector<std::uint32_t> large;
   for (std::size_t block = 0; block < blocks_.size(); ++block) {
     if (blocks_[block].largest <= limit) {
-      add(inner, blocks_[block].bounds);
+      inner.add(blocks_[block].bounds);
       continue;
     }
     forEachStill(scene, block, [&](std::uint32_t number, const Bounds& bounds) {
       if (longestSide(bounds) > limit)
         large.push_back(number);
       else
-        add(inner, bounds);
+        inner.add(bounds);
     });
   }
   if (kWorthwhile * longestSide(inner) > longestSide(usual_)) return;

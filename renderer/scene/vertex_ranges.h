@@ -6,6 +6,8 @@
 #include <vector>
 
 #include <halfsilver/model.h>
+#include <halfsilver/scene_change.h>
+#include <halfsilver/scene_core.h>
 
 namespace halfsilver {
 
@@ -24,5 +26,9 @@ inline bool touchesRange(std::span<const VertexRange> merged, std::uint32_t firs
   const std::size_t range = firstRangeFrom(merged, first);
   return range < merged.size() && merged[range].first <= last;
 }
+
+// Throws Error (usage) if a caller's change moves vertices or turns triangles of posed parts, which are not his to
+// move.
+void refusePosed(const SceneChange& change, std::span<const PosedPart> posed);
 
 }  // namespace halfsilver

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "program.h"
+#include "shared_scenes.h"
 
 #if HALFSILVER_DEMO
 
@@ -63,6 +64,31 @@ TEST(Demo, TheOverlayGrowsWithTheDisplaysScale) {
   };
   EXPECT_GT(covered("one.png"), none.pixelCount() / 20);
   EXPECT_GT(covered("two.png"), 2 * covered("one.png"));
+}
+
+TEST(Demo, AnAnimationIsPlayedAloneByNameOrIndex) {
+  const std::filesystem::path scene =
+      halfsilver::testing::sharedScene("").parent_path().parent_path() / "cases" / "b45_two_animations.gltf";
+  HALFSILVER_REQUIRE_SCENE(scene);
+  const TemporaryFolder folder;
+  const std::string demo = "demo " + scene.string() + " --size 96x54 --set shadow.resolution=64 --set " +
+                           "shadow.sky_directions=0 --frames 9 --fps 6 ";
+  const auto picture = [&](const std::string& options) {
+    const ProgramResult result = runProgramIn(folder, demo + options + " --screenshot picture.png");
+    EXPECT_EQ(result.exitCode, 0) << result.err;
+    return readImage(folder / "picture.png").image.data;
+  };
+  const std::vector<float> all = picture("");
+  const std::vector<float> first = picture("--animation box0Action"), second = picture("--animation 1");
+  EXPECT_EQ(picture("--animation all"), all);
+  EXPECT_EQ(picture("--animation 0"), first);
+  EXPECT_NE(first, all);
+  EXPECT_NE(second, all);
+  EXPECT_NE(first, second);
+  const ProgramResult unknown = runProgramIn(folder, demo + "--animation walk");
+  EXPECT_EQ(unknown.exitCode, 2);
+  EXPECT_NE(unknown.err.find("box0Action"), std::string::npos) << unknown.err;
+  EXPECT_EQ(runProgramIn(folder, "demo --frames 1 --animation walk").exitCode, 2) << "the game has none";
 }
 
 TEST(Demo, ASplitScreenShowsAMethodOnEachSide) {

@@ -220,7 +220,7 @@ TEST(Motion, TheDefaultHitsWhatExactRaysHitInEveryPose) {
     bool moves = false;
     for (std::size_t frame = 0; frame < frames.size(); ++frame) {
       const LayerComparison errors =
-          compareLayers(frames[frame], truth[frame], animatedBounds(loadGltf(scene)).diagonal());
+          compareLayers(frames[frame], truth[frame], animatedBounds(loadGltf(scene)).all.diagonal());
       EXPECT_EQ(errors.hitError, 0) << name << ", frame " << frame;
       const std::vector<float> distances = planeOf(truth[frame], "hit.T");
       hits +=

@@ -254,6 +254,38 @@ TEST_F(TargetDepth, WithoutAUseDepthStaysAndThePictureCoversAll) {
   }
 }
 
+TEST_F(TargetDepth, SamplesInATargetThatKeepsTheirDepthHideThoseBehindThem) {
+  const Scene scene = boxOnFloor();
+  Renderer renderer = makeRenderer(scene);
+  const Settings settings = settingsWith({{"trace.method", "exact"}});
+  for (const DepthUse depth : {DepthUse::standard, DepthUse::reversed}) {
+    const Pixels right = picture(renderer, camera(0.3f), Way::samples, depth);
+    const std::vector<float> sum = renderer.readLayers().data;
+    renderer.forgetHistory();
+    clear(farthest(depth));
+    std::vector<float> nearest(right.depth.size(), farthest(depth));
+    for (std::uint32_t sample = 0; sample < 3; ++sample) {
+      renderer.refine(camera(0.3f), settings, target(depth), sample);
+      const std::vector<float> now = read().depth;
+      for (std::size_t i = 0; i < now.size(); ++i) {
+        const bool nearer = depth == DepthUse::reversed ? now[i] >= nearest[i] : now[i] <= nearest[i];
+        EXPECT_TRUE(nearer) << "depth is that of the nearest sample so far";
+        nearest[i] = now[i];
+      }
+    }
+    EXPECT_EQ(renderer.readLayers().data, sum) << "the mean itself misses nothing";
+    const Pixels kept = read();
+    std::size_t hidden = 0, shown = 0;
+    for (std::size_t i = 0; i < kept.color.size(); ++i) {
+      hidden += kept.color[i] != right.color[i];
+      shown += kept.depth[i] == right.depth[i];
+      EXPECT_TRUE(kept.color[i] == right.color[i] || kept.depth[i] != right.depth[i]) << "what is not hidden is right";
+    }
+    EXPECT_GT(hidden, 8u);
+    EXPECT_GT(shown, 500u);
+  }
+}
+
 TEST_F(TargetDepth, OutsideTheRectangleNothingChanges) {
   const Scene scene = boxOnFloor();
   Renderer renderer = makeRenderer(scene);

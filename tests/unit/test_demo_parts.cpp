@@ -1,10 +1,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "apps/demo/false_colors.h"
 #include "apps/demo/options.h"
+#include "apps/demo/viewer.h"
 #include "apps/demo/viewer_camera.h"
 #include "gltf_files.h"
 
@@ -78,6 +80,42 @@ TEST(ViewerCamera, FramesWhatIsAskedFor) {
   viewer.frame(small);
   EXPECT_LT(glm::distance(viewer.camera().target, small.center()), 1e-5f);
   EXPECT_LT(glm::distance(viewer.camera().eye, small.center()), 1);
+}
+
+TEST(PosedBounds, AreThoseOfAMaterialInThePoseAndLeaveTheModelAsItIs) {
+  Model model;
+  model.scene.materials.resize(2);
+  model.rig.nodes.resize(2);
+  for (const int node : {0, 1}) {
+    Instance instance;
+    instance.node = node;
+    instance.firstVertex = static_cast<std::uint32_t>(3 * node);
+    instance.firstTriangle = static_cast<std::uint32_t>(node);
+    instance.vertexCount = 3;
+    instance.triangleCount = 1;
+    instance.rest.resize(3);
+    instance.rest[1].position = {1, 0, 0};
+    instance.rest[2].position = {0, 1, 0};
+    model.scene.vertices.insert(model.scene.vertices.end(), instance.rest.begin(), instance.rest.end());
+    model.scene.triangles.push_back(
+        {{instance.firstVertex, instance.firstVertex + 1, instance.firstVertex + 2}, static_cast<std::uint32_t>(node)});
+    model.rig.instances.push_back(instance);
+  }
+  model.scene.lights.emplace_back().position = {7, 7, 7};
+  model.rig.lightNodes = {1};
+  Rig mirrored = model.rig;
+  mirrored.nodes[1].scale.x = -2;
+  mirrored.nodes[1].translation.y = 3;
+  const PoseState state = evaluate(mirrored, {});
+  const Bounds one = posedBounds(model, state, 1), all = posedBounds(model, state, {});
+  EXPECT_EQ(one.low, glm::vec3(-2, 3, 0));
+  EXPECT_EQ(one.high, glm::vec3(0, 4, 0));
+  EXPECT_EQ(all.low, glm::vec3(-2, 0, 0));
+  EXPECT_EQ(all.high, glm::vec3(1, 4, 0));
+  EXPECT_EQ(model.scene.vertices[4].position, glm::vec3(1, 0, 0));
+  EXPECT_EQ(model.scene.triangles[1].vertices, (std::array<std::uint32_t, 3>{3, 4, 5}));
+  EXPECT_FALSE(model.rig.instances[1].turned);
+  EXPECT_EQ(model.scene.lights[0].position, glm::vec3(7));
 }
 
 TEST(DemoOptions, AreKeptBetweenRuns) {

@@ -22,9 +22,11 @@ struct GameInputs {
 // The game in the window: the player's Controls become one Input per fixed step.
 class GamePlay final : public Play {
  public:
-  GamePlay(Model model, GameInputs inputs) : game_(std::move(model)), inputs_(std::move(inputs)) {}
+  GamePlay(Model model, GameInputs inputs)
+      : game_(std::move(model)), bounds_(animatedBounds(game_.model())), inputs_(std::move(inputs)) {}
 
   Model& model() override { return game_.model(); }
+  const AnimatedBounds& bounds() const override { return bounds_; }
   void step(const Controls& controls, double seconds) override;
   SceneChange takeChange() override { return game_.takeChange(); }
   const PoseState& poseState() const override { return game_.poseState(); }
@@ -39,6 +41,7 @@ class GamePlay final : public Play {
   Input next();
 
   Game game_;
+  AnimatedBounds bounds_;
   GameInputs inputs_;
   Autopilot autopilot_;
   Recording recorded_;

@@ -153,21 +153,6 @@ class Interactive {
     if (picked && controls.doubleClicked) session_.playing().setPivot(picked->position);
   }
 
-  // What was clicked, or everything.
-  Bounds selection() {
-    Model& model = session_.playing().model();
-    const Scene& scene = model.scene;
-    const std::vector<Light> lights = scene.lights;  // as the player has set them
-    pose(model, session_.playing().poseState());
-    model.scene.lights = lights;
-    if (!clicked_) return scene.bounds();
-    Bounds bounds;
-    for (const Triangle& triangle : scene.triangles)
-      if (triangle.material == *clicked_)
-        for (const std::uint32_t vertex : triangle.vertices) bounds.add(scene.vertices[vertex].position);
-    return bounds;
-  }
-
   void followKeys() {
     const auto toggle = [this](int key, bool& value) {
       if (window_.pressed(key)) value = !value;
@@ -181,7 +166,8 @@ class Interactive {
     for (int view = 0; view < static_cast<int>(std::size(kViewNames)); ++view)
       if (window_.pressed(GLFW_KEY_1 + view)) options_.view = static_cast<View>(view);
     if (window_.pressed(GLFW_KEY_B)) options_.cells = static_cast<Cells>((static_cast<int>(options_.cells) + 1) % 3);
-    if (window_.pressed(GLFW_KEY_F)) session_.playing().frame(selection());
+    if (window_.pressed(GLFW_KEY_F))
+      session_.playing().frame(posedBounds(session_.playing().model(), session_.playing().poseState(), clicked_));
     if (window_.pressed(GLFW_KEY_F11)) window_.toggleFullscreen();
     if (window_.pressed(GLFW_KEY_V)) {
       options_.verticalSync = !options_.verticalSync;

@@ -18,6 +18,8 @@ class Play {
   virtual Model& model() = 0;  // vertices as at rest
   // Time passes, in seconds; 0 while it is frozen.
   virtual void step(const Controls& controls, double seconds) = 0;
+  // Of all that the model does.
+  virtual const AnimatedBounds& bounds() const = 0;
   // What changed of the model's lights, sky and materials since the last call.
   virtual SceneChange takeChange() { return {}; }
   // Where everything is now.

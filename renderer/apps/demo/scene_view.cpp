@@ -5,9 +5,9 @@
 namespace halfsilver::demo {
 
 SceneView::SceneView(const gl::Api& api, const std::function<Renderer::Proc(const char*)>& getProcAddress,
-                     const Model& model, int threads)
+                     const Model& model, const AnimatedBounds& bounds, int threads)
     : api_(&api), renderer_(getProcAddress, exactFactory(model.scene, threads)) {
-  renderer_.setModel(model);
+  renderer_.setModel(model, bounds);
 }
 
 void SceneView::pose(const PoseState& state) {

@@ -15,7 +15,7 @@ class SceneView {
  public:
   // The model must outlive it.
   SceneView(const gl::Api& api, const std::function<Renderer::Proc(const char*)>& getProcAddress, const Model& model,
-            int threads);
+            const AnimatedBounds& bounds, int threads);
 
   void pose(const PoseState& state);
   void update(const Scene& scene, const SceneChange& change);

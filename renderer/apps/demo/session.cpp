@@ -18,19 +18,19 @@ Session::Session(const gl::Api& api, Proc getProcAddress, int threads)
     : api_(&api), getProcAddress_(std::move(getProcAddress)), threads_(threads) {}
 
 void Session::play(std::unique_ptr<Play> next, const Size& size, const Options& options) {
-  auto view = std::make_unique<SceneView>(*api_, getProcAddress_, next->model(), threads_);
+  auto view = std::make_unique<SceneView>(*api_, getProcAddress_, next->model(), next->bounds(), threads_);
   view->pose(next->poseState());
   view->draw(next->camera(), settingsOf(options.settings, options), size);
   backdrops_.clear();
   second_.reset();
   view_ = std::move(view);  // before the scene that the old one refers to goes
   play_ = std::move(next);
-  diagonal_ = animatedBounds(play_->model()).diagonal();
+  diagonal_ = play_->bounds().all.diagonal();
 }
 
 SceneView& Session::second() {
   if (!second_) {
-    second_ = std::make_unique<SceneView>(*api_, getProcAddress_, play_->model(), threads_);
+    second_ = std::make_unique<SceneView>(*api_, getProcAddress_, play_->model(), play_->bounds(), threads_);
     second_->pose(play_->poseState());
   }
   return *second_;

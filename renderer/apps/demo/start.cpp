@@ -11,6 +11,7 @@
 #include <halfsilver/io.h>
 #include "apps/demo/game_play.h"
 #include "apps/demo/viewer.h"
+#include "apps/drawing.h"
 
 namespace halfsilver::demo {
 namespace {
@@ -49,11 +50,14 @@ Settings rightSide(const Request& request, const Settings& left) {
 std::unique_ptr<Play> makeViewer(const Request& request, const std::string& scene) {
   ViewRequest view = request.view;
   view.scene = scene;
+  if (scene != request.view.scene) view.animation.clear();  // it is one of the scene on the command line
   const ViewArguments arguments = checkView(view);
-  PosedView loaded = loadView(view, arguments);
-  loaded.bounds = animatedBounds(loaded.model);
+  PosedView loaded{loadModel(view, arguments), {}, {}};
+  const std::vector<int> animations = chooseAnimations(loaded.model.rig, view.animation, loaded.model.warnings);
+  poseView(loaded, animations, view.time.value_or(0));
   const Camera camera = chooseCamera(loaded, arguments.camera);
-  auto viewer = std::make_unique<Viewer>(std::move(loaded.model), camera, loaded.bounds);
+  auto viewer = std::make_unique<Viewer>(std::move(loaded.model), camera, std::move(*loaded.animated));
+  if (!view.animation.empty() && view.animation != "all") viewer->choose(animations.front());
   viewer->seconds = view.time.value_or(0);
   return viewer;
 }
@@ -64,6 +68,7 @@ std::unique_ptr<Play> makePlay(const Request& request) {
       throw Error(ErrorKind::usage, "demo: --record and --replay are for the game, without a SCENE");
     return makeViewer(request, request.view.scene);
   }
+  if (!request.view.animation.empty()) throw Error(ErrorKind::usage, "demo: --animation needs a SCENE");
   GameInputs inputs;
   if (!request.replay.empty()) inputs.replay = readRecording(request.replay);
   inputs.autopilot = request.frames && !request.window;  // there is no player
@@ -93,6 +98,7 @@ Options firstOptions(const Request& request) {
 extern "C" halfsilver::demo::Outcome halfsilver_demo_run(const halfsilver::demo::Request& request) {
   using namespace halfsilver;
   try {
+    keepFreedMemory();
     if (request.frames && !request.window)
       demo::runHeadless(request);
     else

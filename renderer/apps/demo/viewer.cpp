@@ -6,9 +6,10 @@
 
 namespace halfsilver::demo {
 
-Viewer::Viewer(Model model, const Camera& start, const Bounds& bounds)
+Viewer::Viewer(Model model, const Camera& start, AnimatedBounds bounds)
     : model_(std::move(model)),
-      camera_(start, bounds),
+      bounds_(std::move(bounds)),
+      camera_(start, bounds_.all),
       playing_(compatibleAnimations(model_.rig)),
       state_(evaluate(model_.rig, {})) {}
 
@@ -31,6 +32,18 @@ double Viewer::duration() const {
     longest =
         std::max(longest, static_cast<double>(model_.rig.animations[static_cast<std::size_t>(animation)].duration));
   return longest;
+}
+
+Bounds posedBounds(const Model& model, const PoseState& state, const std::optional<std::uint32_t>& material) {
+  Model posed = model;
+  pose(posed, state);
+  const Scene& scene = posed.scene;
+  if (!material) return scene.bounds();
+  Bounds bounds;
+  for (const Triangle& triangle : scene.triangles)
+    if (triangle.material == *material)
+      for (const std::uint32_t vertex : triangle.vertices) bounds.add(scene.vertices[vertex].position);
+  return bounds;
 }
 
 std::vector<std::filesystem::path> neighbors(const std::string& scene) {

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,10 +15,10 @@ namespace halfsilver::demo {
 // Any scene, with its animations.
 class Viewer final : public Play {
  public:
-  // `bounds`: of all that it does.
-  Viewer(Model model, const Camera& start, const Bounds& bounds);
+  Viewer(Model model, const Camera& start, AnimatedBounds bounds);
 
   Model& model() override { return model_; }
+  const AnimatedBounds& bounds() const override { return bounds_; }
   void step(const Controls& controls, double elapsed) override;
   const PoseState& poseState() const override { return state_; }
   Camera camera() const override { return camera_.camera(); }
@@ -35,11 +37,15 @@ class Viewer final : public Play {
 
  private:
   Model model_;
+  AnimatedBounds bounds_;
   ViewerCamera camera_;
   int windowHeight_ = 1, chosen_ = -1;
   std::vector<int> playing_;
   PoseState state_;
 };
+
+// Of what is of a material, or of all, in a pose. Leaves the model as it is.
+Bounds posedBounds(const Model& model, const PoseState& state, const std::optional<std::uint32_t>& material);
 
 // The scenes (.gltf, .glb) in the folder of a file, sorted; empty for what is no file.
 std::vector<std::filesystem::path> neighbors(const std::string& scene);

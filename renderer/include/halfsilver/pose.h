@@ -42,9 +42,14 @@ std::vector<int> compatibleAnimations(const Rig& rig);
 SceneChange pose(Model& model, const PoseState& state);
 SceneChange pose(Model& model, std::span<const Playing> playing);
 
-// Holds the scene as it is now and all that its animations make of it, one at a time and together; relative to
-// Scene::origin.
-Bounds animatedBounds(const Model& model);
+// Boxes of all that a model's animations make of it, one at a time and together, relative to Scene::origin. Poses
+// between the sampled ones may leave them by a little, poses of the caller's own by much.
+struct AnimatedBounds {
+  std::vector<Bounds> instances;  // of each instance of the rig
+  Bounds all;                     // of these, and of the scene as it is now
+};
+// Evaluates up to 33 poses of each animation: keep it. Throws Error (usage) if an index of the rig points nowhere.
+AnimatedBounds animatedBounds(const Model& model);
 
 // A camera of the scene as it is in a pose: at its node, if it is attached to one. Throws Error (usage) for an unknown
 // one.

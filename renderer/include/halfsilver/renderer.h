@@ -60,8 +60,10 @@ class Renderer {
 
   // setScene() of the model's scene, and what poses it on the GPU. Keeps a copy of the rig. The scene's bounds, and
   // with them grids and shadow maps, are those of all that the model's animations do, so that they stay while it moves.
-  // Throws Error (badInput) if the rig does not fit the scene.
+  // `bounds`: those of the model, if the caller has them. Throws Error (usage), naming it, if an index of the rig
+  // points nowhere or lists that belong together differ in length; nothing has changed then.
   void setModel(const Model& model);
+  void setModel(const Model& model, const AnimatedBounds& bounds);
   // Moves what setModel() uploaded: vertices, winding and attached lights, as pose() of pose.h does, within 1e-5 of the
   // scene's diagonal; the caller's model is neither read nor changed. See posedCamera() for cameras. A compute pass
   // places the vertices in the next frame (stage "pose"), or with scene.posing = cpu the CPU does, in double precision.
@@ -95,7 +97,9 @@ class Renderer {
   // the pixel's center, and any first n places are spread evenly over the pixel: the mean is a box filter one pixel
   // wide. A new picture begins if anything but image.* is not as it was in the call before: camera, settings, size,
   // scene; or after forgetHistory(). The same places in the same order give the same picture to the bit.
-  // image.antialiasing does not count here. Throws Error (usage) as render().
+  // image.antialiasing does not count here. A target with a depth test (Target::depth) needs the caller's own depth
+  // again before each call: the depth that a sample leaves hides the pixels of the next that lie behind it, which go
+  // on showing an earlier mean (their sum is right, and so is readLayers()). Throws Error (usage) as render().
   void refine(const Camera& camera, const Settings& settings, const Target& target, std::uint32_t sample);
   // How many samples that picture has by now.
   std::uint32_t samples() const;
