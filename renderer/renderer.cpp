@@ -382,32 +382,9 @@ void Renderer::refine(const Camera& camera, const Settings& settings, const Targ
   impl_->finish(target);
 }
 
-CameraMatrices Renderer::matrices(const Camera& camera, const Target& target) const {
-  if (!impl_->hasScene) throw Error(ErrorKind::usage, "matrices() needs a scene: call setScene() first");
-  return cameraMatrices(camera, impl_->scene.extents.bounds(), target);
-}
-
 std::uint32_t Renderer::samples() const { return impl_->picture.samples(); }
 
 void Renderer::forgetHistory() { impl_->picture.forget(); }
-
-FrameReport Renderer::report() {
-  Impl& r = *impl_;
-  if (!r.reported) throw Error(ErrorKind::usage, "report() needs a finished frame: call render() first");
-  const gl::StateGuard guard(r.api);
-  r.unreported.clear();  // arrivedReport() does not go back
-  return r.records[*r.reported].report();
-}
-
-std::optional<FrameReport> Renderer::arrivedReport() {
-  Impl& r = *impl_;
-  const auto newest = std::find_if(r.unreported.rbegin(), r.unreported.rend(),
-                                   [&r](std::size_t record) { return r.records[record].arrived(); });
-  if (newest == r.unreported.rend()) return std::nullopt;
-  FrameReport report = r.records[*newest].report();
-  r.unreported.erase(r.unreported.begin(), newest.base());
-  return report;
-}
 
 std::vector<std::string> Renderer::reloadShaders() {
   if (!impl_->underWay.empty())

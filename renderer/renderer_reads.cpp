@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include <halfsilver/error.h>
+#include "frame/frame_constants.h"
 #include "frame/layers.h"
 #include "gl/framebuffer.h"
 #include "gl/state_guard.h"
@@ -83,6 +84,29 @@ std::vector<RayWork> Renderer::readRayWork() {
   std::vector<RayWork> result;
   for (const shared::RayWork& work : r.readWork()) result.push_back({work.steps, work.tests});
   return result;
+}
+
+CameraMatrices Renderer::matrices(const Camera& camera, const Target& target) const {
+  if (!impl_->hasScene) throw Error(ErrorKind::usage, "matrices() needs a scene: call setScene() first");
+  return cameraMatrices(camera, impl_->scene.extents.bounds(), target);
+}
+
+FrameReport Renderer::report() {
+  Impl& r = *impl_;
+  if (!r.reported) throw Error(ErrorKind::usage, "report() needs a finished frame: call render() first");
+  const gl::StateGuard guard(r.api);
+  r.unreported.clear();  // arrivedReport() does not go back
+  return r.records[*r.reported].report();
+}
+
+std::optional<FrameReport> Renderer::arrivedReport() {
+  Impl& r = *impl_;
+  const auto newest = std::find_if(r.unreported.rbegin(), r.unreported.rend(),
+                                   [&r](std::size_t record) { return r.records[record].arrived(); });
+  if (newest == r.unreported.rend()) return std::nullopt;
+  FrameReport report = r.records[*newest].report();
+  r.unreported.erase(r.unreported.begin(), newest.base());
+  return report;
 }
 
 }  // namespace halfsilver
