@@ -20,7 +20,7 @@ constexpr auto choiceNames(Fill) { return std::array{"sky", "neighbours"}; }
 constexpr auto choiceNames(VoxelRaster) { return std::array{"voxel", "abuffer", "conservative"}; }
 constexpr auto choiceNames(AxisRule) { return std::array{"normal", "area", "own"}; }
 constexpr auto choiceNames(TraceStage) { return std::array{"compute", "fragment"}; }
-constexpr auto choiceNames(Effect) { return std::array{"reflection", "occlusion"}; }
+constexpr auto choiceNames(Effect) { return std::array{"reflection", "occlusion", "path"}; }
 constexpr auto choiceNames(ToneMap) { return std::array{"filmic", "none"}; }
 constexpr auto choiceNames(Antialiasing) { return std::array{"none", "fxaa", "temporal"}; }
 
@@ -72,12 +72,13 @@ void visitAll(S& s, Visitor&& visit) {
   visitMethods(s, visit, [](std::string_view section) { return section != "voxels"; });
   visit("trace.method", s.trace.method, 0, 0, "the tracer");
   visit("trace.effect", s.trace.effect, 0, 0, "which rays there are and what their ends mean");
-  visit("trace.bounces", s.trace.bounces, 1, 16, "reflections along a path");
+  visit("trace.bounces", s.trace.bounces, 1, 16, "reflections, or stretches of a path, one after the other");
   visit("trace.stage", s.trace.stage, 0, 0, "the shader stage that traces");
   visit("trace.count_work", s.trace.countWork, 0, 1, "counts each ray's steps and tests, for benchmarks");
   visit("effect.samples", s.effect.samples, 1, 64, "rays per pixel and pass, of effects that send several");
   visit("effect.passes", s.effect.passes, 1, 65536, "passes per frame, of the same");
   visit("effect.progressive", s.effect.progressive, 0, 1, "frames go on with the passes before while nothing changes");
+  visit("effect.roulette", s.effect.roulette, 0, 1, "random paths that carry little light end by chance");
   visit("effect.radius", s.effect.radius, 0, 10000, "meters within which things occlude; 0: any distance");
   visit("shadow.resolution", s.shadow.resolution, 16, 8192, "texels along a shadow map");
   visit("shadow.sky_directions", s.shadow.skyDirections, 0, 32, "shadowed directions that stand for the sky");

@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "effects/occlusion/occlusion_effect.h"
+#include "effects/path/path_effect.h"
 #include "effects/ray_effect.h"
 #include "effects/reflection/reflection_effect.h"
 
@@ -14,7 +15,7 @@ std::unique_ptr<RayEffect> make(const gl::Api& api) {
 }
 
 // In the order of the enumerators.
-constexpr std::array kEffects{make<ReflectionEffect>, make<OcclusionEffect>};
+constexpr std::array kEffects{make<ReflectionEffect>, make<OcclusionEffect>, make<PathEffect>};
 
 }  // namespace
 

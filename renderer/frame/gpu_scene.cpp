@@ -9,6 +9,7 @@
 #include <halfsilver/error.h>
 #include <halfsilver/shared_structs.h>
 #include "frame/alpha_texels.h"
+#include "frame/light_tables.h"
 #include "frame/material_textures.h"
 #include "frame/pack_material.h"
 #include "scene/alpha.h"
@@ -196,6 +197,8 @@ GpuScene uploadScene(const gl::Api& api, const Scene& scene, std::vector<PosedPa
   gpu.warnings = std::move(textures.warnings);
   uploadMaterials(api, gpu, scene, triangles, holes);
   gpu.sky = uploadSky(api, scene.sky);
+  gpu.skyTable = makeSkyTable(api, scene.sky);
+  gpu.emitters = makeEmitters(api, scene);
   return gpu;
 }
 
@@ -208,7 +211,11 @@ std::vector<Bounds> updateScene(const gl::Api& api, GpuScene& gpu, const Scene& 
                     posed ? gpu.triangles.read<glm::uvec4>(scene.triangles.size()) : packTriangles(scene.triangles),
                     materialsWithHoles(scene));
   }
-  if (change.sky) gpu.sky = uploadSky(api, scene.sky);
+  if (change.sky) {
+    gpu.sky = uploadSky(api, scene.sky);
+    gpu.skyTable = makeSkyTable(api, scene.sky);
+  }
+  if (change.materials) gpu.emitters = makeEmitters(api, scene);
   for (const VertexRange& range : change.moved)
     writeVertices(gpu, std::span(scene.vertices).subspan(range.first, range.count), range.first);
   for (const TriangleRange& range : change.turned)

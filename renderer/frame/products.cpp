@@ -8,7 +8,7 @@ std::size_t GpuScene::geometryBytes() const {
 }
 
 std::size_t GpuScene::textureBytes() const {
-  std::size_t sum = sky.bytes() + alphas.bytes();
+  std::size_t sum = sky.bytes() + skyTable.sums.bytes() + alphas.bytes();
   for (const gl::Texture& texture : textures) sum += texture.bytes();
   return sum;
 }

@@ -1,5 +1,5 @@
 // From triangle numbers to surfaces, one per pixel.
-#include "lib/pixel_triangle.glsl"
+#include "lib/triangle_point.glsl"
 #include "lib/evaluate_surface.glsl"
 #include "shared/passes/gbuffer.h"
 
@@ -18,7 +18,7 @@ void main() {
   vec4 position = vec4(0.0), normal = vec4(0.0), baseColor = vec4(0.0), material = vec4(0.0), emissive = vec4(0.0);
   uint visible = texelFetch(visibility, pixel, 0).x;
   if (visible != 0u) {
-    TrianglePoint point = pointOnTriangle(visible - 1u, pixelRay(pixel));
+    TrianglePoint point = pointOnTriangle(visible - 1u, frame.eye, pixelRay(pixel));
     float range = length(point.relative);
     Surface s = evaluateSurface(visible - 1u, point.barycentrics, normalize(point.relative), frame.pixelCone * range,
                                 BASE_TEXTURES);

@@ -1,6 +1,6 @@
 // Pixels that each pixel's surface has moved since the frame before, or the sky behind it.
 #include "lib/motion.glsl"
-#include "lib/pixel_triangle.glsl"
+#include "lib/triangle_point.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -14,7 +14,7 @@ void main() {
   vec2 motion = motionOfDirection(pixelRay(pixel));
   if (visible != 0u) {
     vec3 now, before;
-    pointThenAndNow(visible - 1u, pointOnTriangle(visible - 1u, pixelRay(pixel)).barycentrics, now, before);
+    pointThenAndNow(visible - 1u, pointOnTriangle(visible - 1u, frame.eye, pixelRay(pixel)).barycentrics, now, before);
     motion = motionOf(now, before);
   }
   imageStore(motionImage, pixel, vec4(motion, 0.0, 0.0));

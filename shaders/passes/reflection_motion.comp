@@ -2,7 +2,7 @@
 // pixel's ray has hit. One invocation per first ray.
 #include "lib/curved_mirror.glsl"
 #include "lib/motion.glsl"
-#include "lib/pixel_triangle.glsl"
+#include "lib/triangle_point.glsl"
 #include "lib/queued_ray.glsl"
 #include "shared/passes/temporal.h"
 
@@ -36,7 +36,7 @@ void main() {
 
   vec3 normal = texelFetch(gNormal, pixel, 0).xyz;
   vec3 then = normalBefore(ray.excluded, normal);
-  vec2 barycentrics = pointOnTriangle(ray.excluded, pixelRay(pixel)).barycentrics;
+  vec2 barycentrics = pointOnTriangle(ray.excluded, frame.eye, pixelRay(pixel)).barycentrics;
   vec3 mirrorNow, mirrorBefore;
   pointThenAndNow(ray.excluded, barycentrics, mirrorNow, mirrorBefore);
   vec3 towardsImage = reflect(ray.direction, then);

@@ -17,6 +17,19 @@
 // What the stages of a frame hand on: plain move-only types that own GPU memory. See README.md of this folder.
 namespace halfsilver {
 
+// Emitting triangles with the sums of their chances, see frame/light_tables.h.
+struct LightTable {
+  gl::TexelBuffer entries;  // uvec2: triangle, bits of the sum up to it; in the order of triangles
+  std::uint32_t count = 0;
+};
+
+// The sky's cells, likewise.
+struct SkyTable {
+  gl::TexelBuffer sums;  // float[rows], then float[rows][columns]
+  std::uint32_t rows = 0, columns = 0;
+  bool shines = false;
+};
+
 // The scene on the GPU: world-space triangles (relative to Scene::origin), materials and their textures.
 struct GpuScene {
   gl::Buffer positions, attributes, triangles, materials, drawList;
@@ -25,9 +38,11 @@ struct GpuScene {
   DrawClusters clusters;                          // of the draw list
   std::vector<shared::GpuMaterial> cutMaterials;  // those with holes
   std::uint32_t casters = 0;  // counts changes of what casts shadows but for moves: of the draw list and of holes
-  std::vector<gl::Texture> textures;            // buckets of equal size, at most TEXTURE_BUCKETS
-  gl::TexelBuffer alphas;                       // of the textures that cut holes, see GpuMaterial::alphaFirst
-  gl::Texture sky;                              // 1 x 1 if the sky is a gradient
+  std::vector<gl::Texture> textures;  // buckets of equal size, at most TEXTURE_BUCKETS
+  gl::TexelBuffer alphas;             // of the textures that cut holes, see GpuMaterial::alphaFirst
+  gl::Texture sky;                    // 1 x 1 if the sky is a gradient
+  SkyTable skyTable;
+  LightTable emitters;
   std::vector<std::uint32_t> textureLocations;  // one per texture of the scene, see GpuTexture::location
   std::uint32_t vertexCount = 0, triangleCount = 0, materialCount = 0;
   SceneExtents extents;  // bounds and core

@@ -39,7 +39,8 @@ enum class AxisRule {
 enum class TraceStage { compute, fragment };
 enum class Effect {
   reflection,  // mirror reflections, blended with the deferred shading
-  occlusion    // how much of the surroundings each surface sees
+  occlusion,   // how much of the surroundings each surface sees
+  path         // all light, along random paths
 };
 enum class ToneMap { filmic, none };
 enum class Antialiasing {
@@ -99,6 +100,7 @@ struct EffectSettings {
   int samples = 8;           // per pixel and pass, 1..64
   int passes = 1;            // of a frame, 1..65536
   bool progressive = false;  // frames go on with the passes of those before while nothing changes
+  bool roulette = false;     // paths that carry little light end by chance
   float radius = 0;          // of occlusion, meters; farther things do not count; 0: all do
 
   bool operator==(const EffectSettings&) const = default;

@@ -1,5 +1,5 @@
 // What the camera's rays hit, from the G-buffer.
-#include "lib/pixel_triangle.glsl"
+#include "lib/triangle_point.glsl"
 #include "lib/queued_ray.glsl"
 #include "shared/rays.h"
 
@@ -14,6 +14,6 @@ void main() {
   uint number = pixelOfRay(index);
   ivec2 pixel = ivec2(number % frame.width, number / frame.width);
   uint triangle = texelFetch(gVisibility, pixel, 0).x - 1u;
-  TrianglePoint point = pointOnTriangle(triangle, pixelRay(pixel));
+  TrianglePoint point = pointOnTriangle(triangle, frame.eye, pixelRay(pixel));
   hits[index] = Hit(length(point.relative), triangle, point.barycentrics.x, point.barycentrics.y);
 }

@@ -1,10 +1,9 @@
-// The point of a triangle on a ray from the eye, as exact as floats allow.
-#include "lib/frame.glsl"
+// The point of a triangle on a ray, as exact as floats allow.
 #include "lib/triangles.glsl"
 
 struct TrianglePoint {
   vec2 barycentrics;  // inside the triangle
-  vec3 relative;      // from the eye
+  vec3 relative;      // from the ray's origin
   vec3 position;
 };
 
@@ -15,12 +14,13 @@ vec2 solveBarycentrics(vec3 a, vec3 edge1, vec3 edge2, vec3 ray) {
   return vec2(dot(-a, p), dot(ray, cross(-a, edge1))) / determinant;
 }
 
-TrianglePoint pointOnTriangle(uint triangle, vec3 ray) {
+// ray: of any length.
+TrianglePoint pointOnTriangle(uint triangle, vec3 origin, vec3 ray) {
   vec3 a, b, c;
   trianglePositions(triangle, a, b, c);
   vec3 edge1 = b - a, edge2 = c - a;
-  vec3 fromEye = a - frame.eye;
-  vec2 uv = solveBarycentrics(fromEye, edge1, edge2, ray);
+  vec3 fromOrigin = a - origin;
+  vec2 uv = solveBarycentrics(fromOrigin, edge1, edge2, ray);
   // A triangle seen edge-on has no answer; pixel centers on an edge are a rounding error outside.
   if (any(isnan(uv)) || any(isinf(uv))) uv = vec2(1.0 / 3.0);
   uv = clamp(uv, vec2(0.0), vec2(1.0));
@@ -28,7 +28,7 @@ TrianglePoint pointOnTriangle(uint triangle, vec3 ray) {
 
   TrianglePoint point;
   point.barycentrics = uv;
-  point.relative = fromEye + uv.x * edge1 + uv.y * edge2;
+  point.relative = fromOrigin + uv.x * edge1 + uv.y * edge2;
   point.position = a + uv.x * edge1 + uv.y * edge2;
   // On a triangle that is large against its distance, a barycentric's last bit is many bits of the position: solve
   // again from the point that was found, where the numbers are small.

@@ -1,0 +1,49 @@
+// The GGX distribution of microfacets with Smith's shadowing, around z: Walter et al. 2007, Heitz 2014.
+
+float ggxDistribution(float hz, float alpha) {
+  float a2 = alpha * alpha, d = hz * hz * (a2 - 1.0) + 1.0;
+  return a2 / (3.14159265358979 * d * d);
+}
+
+// Share of the microfacets facing v that are seen from there.
+float ggxMasking(float vz, float alpha) {
+  float a2 = alpha * alpha;
+  return 2.0 * vz / (vz + sqrt(a2 + (1.0 - a2) * vz * vz));
+}
+
+// Seen from both sides, heights correlated.
+float ggxMaskingShadowing(float vz, float lz, float alpha) {
+  float a2 = alpha * alpha, b = 1.0 - a2;
+  return 2.0 * vz * lz / (vz * sqrt(a2 + b * lz * lz) + lz * sqrt(a2 + b * vz * vz));
+}
+
+// A microfacet's normal, as often as it is seen from v (Heitz 2018, "Sampling the GGX Distribution of Visible
+// Normals").
+vec3 ggxVisibleNormal(vec3 v, float alpha, vec2 numbers) {
+  vec3 stretched = normalize(vec3(alpha * v.xy, v.z));
+  float across = dot(stretched.xy, stretched.xy);
+  vec3 x = across > 0.0 ? vec3(-stretched.y, stretched.x, 0.0) * inversesqrt(across) : vec3(1.0, 0.0, 0.0);
+  vec3 y = cross(stretched, x);
+  float radius = sqrt(numbers.x), angle = 6.28318530717959 * numbers.y;
+  float s = 0.5 * (1.0 + stretched.z);
+  float p = radius * cos(angle), q = radius * sin(angle);
+  q = (1.0 - s) * sqrt(max(0.0, 1.0 - p * p)) + s * q;
+  vec3 n = p * x + q * y + sqrt(max(0.0, 1.0 - p * p - q * q)) * stretched;
+  return normalize(vec3(alpha * n.xy, max(n.z, 1e-6)));
+}
+
+// Density of directions that are v mirrored at such normals.
+float ggxReflectedDensity(float vz, float hz, float alpha) {
+  return ggxMasking(vz, alpha) * ggxDistribution(hz, alpha) / (4.0 * vz);
+}
+
+// Unpolarized reflectance of a smooth boundary. cosine: of the incident side, 0..1; eta: index of the far side over
+// that of the near one. 1 beyond the critical angle.
+float dielectricFresnel(float cosine, float eta) {
+  float sine2 = (1.0 - cosine * cosine) / (eta * eta);
+  if (sine2 >= 1.0) return 1.0;
+  float far = sqrt(1.0 - sine2);
+  float parallel = (eta * cosine - far) / (eta * cosine + far);
+  float perpendicular = (cosine - eta * far) / (cosine + eta * far);
+  return 0.5 * (parallel * parallel + perpendicular * perpendicular);
+}
