@@ -4,6 +4,7 @@
 // in an even light is as bright as that.
 //
 // Smooth lobes are directions, not densities; those and glass are chosen, never evaluated.
+#include "lib/dielectric.glsl"
 #include "lib/fresnel.glsl"
 #include "lib/ggx.glsl"
 #include "lib/sampling.glsl"
@@ -121,13 +122,13 @@ struct Scattering {
 Scattering scatterGlass(Bsdf b, Surface s, float eta, vec2 numbers, float choice) {
   float alpha = b.specular.alpha;
   vec3 h = smoothLobe(alpha) ? vec3(0.0, 0.0, 1.0) : ggxVisibleNormal(b.v, alpha, numbers);
-  float vh = dot(b.v, h), fresnel = dielectricFresnel(vh, eta);
-  bool passes = choice >= fresnel;
-  vec3 l = 2.0 * vh * h - b.v;
+  Interface border = meetInterface(-b.v, h, 1.0 / eta);
+  bool passes = choice >= border.reflectance;
+  vec3 l = reflect(-b.v, h);
   if (passes && s.thin)
     l.z = -l.z;  // in and out again
   else if (passes)
-    l = (vh / eta - sqrt(max(0.0, 1.0 - (1.0 - vh * vh) / (eta * eta)))) * h - b.v / eta;
+    l = border.refracted;
   vec3 weight = passes ? b.tint : vec3(1.0);
   if (passes == (l.z > 0.0)) weight = vec3(0.0);
   if (!smoothLobe(alpha))

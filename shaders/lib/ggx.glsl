@@ -36,14 +36,3 @@ vec3 ggxVisibleNormal(vec3 v, float alpha, vec2 numbers) {
 float ggxReflectedDensity(float vz, float hz, float alpha) {
   return ggxMasking(vz, alpha) * ggxDistribution(hz, alpha) / (4.0 * vz);
 }
-
-// Unpolarized reflectance of a smooth boundary. cosine: of the incident side, 0..1; eta: index of the far side over
-// that of the near one. 1 beyond the critical angle.
-float dielectricFresnel(float cosine, float eta) {
-  float sine2 = (1.0 - cosine * cosine) / (eta * eta);
-  if (sine2 >= 1.0) return 1.0;
-  float far = sqrt(1.0 - sine2);
-  float parallel = (eta * cosine - far) / (eta * cosine + far);
-  float perpendicular = (cosine - eta * far) / (cosine + eta * far);
-  return 0.5 * (parallel * parallel + perpendicular * perpendicular);
-}

@@ -1,5 +1,6 @@
 // How much light rough surfaces reflect once, and how much rough boundaries pass on: what the microfacet model loses
 // between facets is given back by this (lib/bsdf.glsl). One invocation per texel.
+#include "lib/dielectric.glsl"
 #include "lib/ggx.glsl"
 #include "lib/random.glsl"
 #include "shared/passes/energy.h"
@@ -30,12 +31,9 @@ void main() {
       sum += part * vec2(1.0 - fresnel, fresnel);
     } else {
       float eta = exp2(ENERGY_ETA_OCTAVES * (2.0 * float(texel.z - 1u) / float(ENERGY_ETAS - 1) - 1.0));
-      float fresnel = dielectricFresnel(vh, eta);
-      if (l.z > 0.0) sum.x += fresnel * ggxMasking(l.z, alpha);
-      if (fresnel >= 1.0) continue;
-      float cosine = sqrt(1.0 - (1.0 - vh * vh) / (eta * eta));
-      float depth = -((vh / eta - cosine) * h - v / eta).z;
-      if (depth > 0.0) sum.x += (1.0 - fresnel) * ggxMasking(depth, alpha);
+      Interface border = meetInterface(-v, h, 1.0 / eta);
+      if (l.z > 0.0) sum.x += border.reflectance * ggxMasking(l.z, alpha);
+      if (border.refracted.z < 0.0) sum.x += (1.0 - border.reflectance) * ggxMasking(-border.refracted.z, alpha);
     }
   }
   imageStore(energy, ivec3(texel), vec4(sum / float(SAMPLES), 0.0, 0.0));
