@@ -14,6 +14,7 @@ constexpr int kSettling = 8;
 // Settings without those that change how radiance is shown and not radiance itself.
 Settings ofRadiance(Settings settings) {
   settings.image = {};
+  settings.effect.passes = 1;  // how many come at once is no matter
   return settings;
 }
 
@@ -40,7 +41,7 @@ PictureUse Picture::begin(const Camera& camera, const Settings& settings, const 
             .jitter = sampleOffset(*sample),
             .passes = {.first = *sample * passes, .count = passes}};
   }
-  if (settings.image.antialiasing == Antialiasing::temporal) return beginTemporal(std::move(view));
+  if (settings.image.antialiasing == Antialiasing::temporal) return beginTemporal(std::move(view), passes);
   history_.reset();  // motion is known from one frame to the next
   if (!settings.effect.progressive) {
     refined_.reset();
@@ -55,7 +56,7 @@ PictureUse Picture::begin(const Camera& camera, const Settings& settings, const 
   return {.passes = {.first = before, .count = passes, .summed = before}};
 }
 
-PictureUse Picture::beginTemporal(View view) {
+PictureUse Picture::beginTemporal(View view, std::uint32_t passes) {
   refined_.reset();
   Subject subject{ofHistory(view.subject.settings), view.subject.size};
   PictureUse use{.kind = PictureUse::Kind::temporal};
@@ -68,7 +69,6 @@ PictureUse Picture::beginTemporal(View view) {
     use.still = history_->unsettled == 0;
   }
   history_->changed = false;
-  const auto passes = static_cast<std::uint32_t>(view.subject.settings.effect.passes);
   history_->last = std::move(view);
   use.passes = {.first = history_->frames * passes, .count = passes};
   use.jitter = sampleOffset(history_->frames++);

@@ -64,7 +64,7 @@ class Picture {
     std::uint32_t passes = 0;
   };
 
-  PictureUse beginTemporal(View view);
+  PictureUse beginTemporal(View view, std::uint32_t passes);
   DisplayPass::Source meanOfSamples() const {
     return {samples_.sum, nullptr, 1.0f / static_cast<float>(samples_.samples)};
   }

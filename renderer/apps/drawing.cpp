@@ -56,6 +56,7 @@ void SampleReports::add(FrameReport report) {
     known->milliseconds += time.milliseconds;
   }
   report.overflow += joined_.overflow;
+  for (std::size_t kind = 0; kind < report.rays.size(); ++kind) report.rays[kind] += joined_.rays[kind];
   report.lostFragments += joined_.lostFragments;
   std::vector<std::string> warnings = std::move(joined_.warnings);
   addWarnings(report.warnings, warnings);
@@ -71,8 +72,30 @@ FrameReport SampleReports::joined() const {
   return report;
 }
 
+namespace {
+
+FrameReport drawPasses(Renderer& renderer, const Camera& camera, Settings settings, const Target& target,
+                       const PassSteps& steps) {
+  const int all = settings.effect.passes;
+  settings.effect.progressive = true;
+  renderer.forgetHistory();
+  SampleReports reports;
+  for (int done = 0; done < all;) {
+    settings.effect.passes = std::min(steps.every, all - done);
+    renderer.render(camera, settings, target);
+    reports.add(renderer.report());
+    done += settings.effect.passes;
+    if (done < all && steps.shown) steps.shown(done);
+  }
+  return reports.joined();
+}
+
+}  // namespace
+
 FrameReport drawPicture(Renderer& renderer, const Camera& camera, const Settings& settings, const Target& target,
-                        int samples) {
+                        int samples, const PassSteps& steps) {
+  if (samples == 1 && steps.every > 0 && steps.every < settings.effect.passes)
+    return drawPasses(renderer, camera, settings, target, steps);
   if (samples == 1) {
     renderer.render(camera, settings, target);
     return renderer.report();
@@ -98,14 +121,14 @@ void settle(Renderer& renderer, const Camera& camera, const Settings& settings, 
 }  // namespace
 
 int drawFirstFrame(Renderer& renderer, const Camera& camera, const Settings& settings, const Target& target,
-                   FrameReport& report, int samples) {
+                   FrameReport& report, int samples, const PassSteps& steps) {
   int drawn = 0;
   std::vector<StageTime> shadow;
   do {
     renderer.forgetHistory();
     // Once anything was lost, single frames find the sizes.
     if (drawn > 0 && samples > 1) settle(renderer, camera, settings, target);
-    report = drawPicture(renderer, camera, settings, target, samples);
+    report = drawPicture(renderer, camera, settings, target, samples, steps);
     // Only the very first one draws shadow maps.
     for (const StageTime& time : report.times)
       if (time.stage == "shadow" && drawn == 0) shadow.push_back(time);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -43,14 +44,21 @@ class SampleReports {
   FrameReport joined_;  // but for the times
 };
 
+// How the passes of an effect (effect.passes) are drawn: so many per frame, and what is called after each frame but the
+// last, with the passes that the picture holds. every 0: all in one frame.
+struct PassSteps {
+  int every = 0;
+  std::function<void(int passes)> shown = {};
+};
+
 // Draws a picture of several samples per pixel, the one at the pixel's center last, so that the renderer's layers are
-// those of an ordinary frame; of one sample, an ordinary frame. Returns the report of all.
+// those of an ordinary frame; of one sample, an ordinary frame, or several that refine it. Returns the report of all.
 FrameReport drawPicture(Renderer& renderer, const Camera& camera, const Settings& settings, const Target& target,
-                        int samples);
+                        int samples, const PassSteps& steps = {});
 
 // Draws the first picture, repeatedly until its structure has found its size (at most four times), and fills `report`.
 // Returns how many times it was drawn.
 int drawFirstFrame(Renderer& renderer, const Camera& camera, const Settings& settings, const Target& target,
-                   FrameReport& report, int samples = 1);
+                   FrameReport& report, int samples = 1, const PassSteps& steps = {});
 
 }  // namespace halfsilver

@@ -23,6 +23,7 @@ struct RenderRequest {
   OutputPaths outputs;
   std::optional<int> repeat;
   int samples = 1;
+  std::optional<int> passes, progressEvery;
   std::string frames;
   std::optional<double> framesPerSecond;
   bool overwrite = false;
@@ -49,10 +50,10 @@ class Frames {
     statistics.budget = {.limits = limits};
   }
 
-  void draw(int repeat, Progress& progress, WallClock& clock) {
+  void draw(int repeat, const PassSteps& steps, Progress& progress, WallClock& clock) {
     FrameReport& report = statistics_->report;
     progress.show("first frame");
-    int warmUp = drawFirstFrame(*renderer_, *camera_, statistics_->settings, target_, report, samples_);
+    int warmUp = drawFirstFrame(*renderer_, *camera_, statistics_->settings, target_, report, samples_, steps);
     std::vector<StageTime> pictureTimes = report.times;
     addWarnings(report.warnings, statistics_->warnings);
     clock.lap("first_frame");
@@ -123,6 +124,21 @@ void checkBudget(const char* option, const std::optional<double>& limit) {
     throw Error(ErrorKind::usage, std::string(option) + " must be a number greater than 0");
 }
 
+// Shows how many passes of a picture are done, and writes what there is if it is asked for.
+PassSteps passSteps(const RenderRequest& request, RenderJob& job, Progress& progress) {
+  constexpr int kSteps = 50;  // of progress that is only told
+  const int all = job.statistics.settings.effect.passes;
+  const bool writes = request.progressEvery.has_value();
+  return {.every = request.progressEvery.value_or((all + kSteps - 1) / kSteps),
+          .shown = [&request, &job, &progress, all, writes](int done) {
+            progress.show("pass " + std::to_string(done) + " of " + std::to_string(all));
+            if (!writes) return;
+            Outputs outputs({.picture = request.outputs.picture, .stats = {}, .layers = {}});
+            outputs.writePictures(job.renderer, job.target, job.statistics.diagonal);
+            outputs.commit();
+          }};
+}
+
 // First everything that can be wrong with the request itself, before any long work.
 std::optional<FrameRange> checkRequest(const RenderRequest& request) {
   checkBudget("--budget-ms", request.budgetMilliseconds);
@@ -130,6 +146,8 @@ std::optional<FrameRange> checkRequest(const RenderRequest& request) {
   if (request.samples > 1 && (request.budgetMilliseconds || request.budgetMegabytes))
     throw Error(ErrorKind::usage, "--samples cannot be combined with a budget");
   checkOutputs(request.outputs);
+  if (request.progressEvery && (request.samples > 1 || request.repeat || !request.frames.empty()))
+    throw Error(ErrorKind::usage, "--progress-every cannot be combined with --samples, --repeat or --frames");
   if (request.frames.empty()) {
     if (request.framesPerSecond || request.overwrite)
       throw Error(ErrorKind::usage, std::string(request.overwrite ? "--overwrite" : "--fps") + " needs --frames");
@@ -150,9 +168,11 @@ void renderPicture(const RenderRequest& request, const ViewArguments& arguments,
   RenderJob job(request.view, arguments, settings, std::move(view), progress, clock);
   RunStatistics& statistics = job.statistics;
 
-  const int repeat = request.repeat.value_or(request.outputs.stats.empty() || request.samples > 1 ? 0 : 1);
+  const bool once = request.samples > 1 || settings.effect.passes > 1;
+  const int repeat = request.repeat.value_or(request.outputs.stats.empty() || once ? 0 : 1);
   statistics.samples = request.samples;
-  Frames(job.renderer, camera, job.target.target(), request, statistics).draw(repeat, progress, clock);
+  Frames(job.renderer, camera, job.target.target(), request, statistics)
+      .draw(repeat, passSteps(request, job, progress), progress, clock);
   progress.show("writing " + request.outputs.picture);
   outputs.writePictures(job.renderer, job.target, statistics.diagonal);
   clock.lap("write");
@@ -172,6 +192,7 @@ void render(const RenderRequest& request) {
   const ViewArguments arguments = checkView(request.view);
   Settings settings = baseSettings(request.view);
   applyOverrides(settings, request.view);
+  if (request.passes) set(settings, "effect.passes", std::to_string(*request.passes));
   if (range && settings.image.antialiasing == Antialiasing::temporal)
     throw Error(
         ErrorKind::usage,
@@ -206,7 +227,7 @@ void addRenderCommand(CLI::App& program) {
   command
       ->add_option("--repeat", request.repeat,
                    "Frames to measure after the first one; times are medians (default: 1 with --stats but without "
-                   "--samples, otherwise none, and the picture is the first frame)")
+                   "--samples and --passes, otherwise none, and the picture is the first frame)")
       ->check(CLI::Range(1, 100000));
   command
       ->add_option("--samples", request.samples,
@@ -214,6 +235,14 @@ void addRenderCommand(CLI::App& program) {
                    "with its own rays; times are those of the whole picture")
       ->check(CLI::Range(1, kMaxSamples))
       ->capture_default_str();
+  command
+      ->add_option("--passes", request.passes,
+                   "Passes of an effect that sends several rays per pixel (effect.passes): the picture is their mean")
+      ->check(CLI::Range(1, 65536));
+  command
+      ->add_option("--progress-every", request.progressEvery,
+                   "Write the picture as it is after every so many passes, too")
+      ->check(CLI::Range(1, 65536));
   command->add_option(
       "--frames", request.frames,
       "A..B: render an image sequence of the animations, frame n at n / fps seconds; frames whose files "

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <set>
 
@@ -352,6 +353,30 @@ TEST(Samples, HaveARangeAndNoBudget) {
     const ProgramResult result = runProgramIn(folder, kQuickSphere + "-o a.png " + wrong);
     EXPECT_EQ(result.exitCode, 2) << wrong;
     EXPECT_NE(result.err.find("samples"), std::string::npos) << result.err;
+  }
+}
+
+// A picture that refines is the picture that comes at once, and its rays are the same.
+TEST(Passes, GiveTheSamePictureInOneFrameOrInSeveral) {
+  const TemporaryFolder folder;
+  const std::string path = kQuickSphere + "--set trace.effect=path --set effect.samples=2 --passes 5 ";
+  expectDone(runProgramIn(folder, path + "-o a.exr --stats a.json", "LP_NUM_THREADS=0 "));
+  expectDone(runProgramIn(folder, path + "-o b.exr --stats b.json --progress-every 2"));
+  EXPECT_EQ(readText(folder / "a.exr"), readText(folder / "b.exr"));
+  const nlohmann::json a = readJson(folder / "a.json"), b = readJson(folder / "b.json");
+  EXPECT_EQ(a["rays"], b["rays"]);
+  EXPECT_GT(a["rays"]["scattered"].get<int>(), 5 * a["pixels"]["selected"].get<int>());
+  EXPECT_EQ(b["pixels"]["passes"], 5);
+  EXPECT_GT(distinctColors(readImage(folder / "a.exr").image), 500u);
+}
+
+TEST(Passes, AreWrittenOnlyOfASinglePicture) {
+  const TemporaryFolder folder;
+  for (const char* wrong : {"--passes 0", "--progress-every 2 --samples 4", "--progress-every 2 --repeat 3"}) {
+    const ProgramResult result = runProgramIn(folder, kQuickSphere + "-o a.png " + wrong);
+    EXPECT_EQ(result.exitCode, 2) << wrong;
+    EXPECT_NE(result.err.find(std::string(wrong).substr(0, 6)), std::string::npos) << result.err;
+    EXPECT_FALSE(std::filesystem::exists(folder / "a.png"));
   }
 }
 
