@@ -39,6 +39,7 @@ void FrameRecord::end(const Frame& frame, const Tracer* tracer, const MemoryRepo
       if (queue.count) laterCounts_.push_back(readback_.copy<shared::RayCount>(queue.count));
     if (frame.effect.contributions.counts)
       contributions_ = readback_.copy<std::uint32_t>(frame.effect.contributions.counts, CONTRIBUTION_CLASSES);
+    raysPerPixel_ = std::max(frame.host.glossySamples, 1u);
     known_.passes = frame.passes.summed + frame.passes.count;
     const TracerCounts counts = tracer->counts();
     if (counts.buffer) {
@@ -61,9 +62,10 @@ FrameReport FrameRecord::report() {
   for (const auto& slice : firstCounts_) {
     const shared::RayCount& first = readback_.values(slice)[0];
     known_.overflow += first.overflow;
-    known_.selected += first.count;
+    known_.selected += first.count / raysPerPixel_;
     known_.reflecting += first.reflecting;
     if (first.source == RAYS_OF_PIXELS) known_.rays[RAY_REFLECTION] += first.count;
+    for (std::size_t kind = 0; kind < known_.rays.size(); ++kind) known_.rays[kind] += first.byKind[kind];
   }
   if (contributions_.count) {
     const std::span<const std::uint32_t> classes = readback_.values(contributions_);

@@ -66,6 +66,7 @@ class FrameRecord {
   FrameReport known_;
   TracerMemory memory_;
   bool reported_ = false;
+  std::uint32_t raysPerPixel_ = 1;
   gl::Profiler profiler_;
   gl::Readback readback_;
   std::vector<gl::Readback::Slice<shared::RayCount>> firstCounts_, laterCounts_;  // of batches and later generations

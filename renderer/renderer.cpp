@@ -59,7 +59,8 @@ std::uint32_t Renderer::Impl::maxRays(const Settings& wanted) const {
   static_assert(sizeof(shared::Radiance) <= sizeof(shared::Hit) && sizeof(shared::PausedRay) <= sizeof(shared::Hit));
   std::size_t bytes = sizeof(shared::Hit);
   if (tracer->storesAttributes()) bytes = std::max(bytes, sizeof(shared::HitSurface));
-  if (effect->generations(wanted) > 1) bytes = std::max({bytes, sizeof(shared::Ray), sizeof(shared::RayPath)});
+  if (effect->generations(wanted) > 1 || effect->storesFirstRays(wanted))
+    bytes = std::max({bytes, sizeof(shared::Ray), sizeof(shared::RayPath)});
   return static_cast<std::uint32_t>(std::min<std::uint64_t>(
       static_cast<std::uint64_t>(api.limits.storageBlockBytes) / bytes, std::numeric_limits<std::uint32_t>::max()));
 }

@@ -78,6 +78,7 @@ void visitAll(S& s, Visitor&& visit) {
   visit("effect.samples", s.effect.samples, 1, 64, "rays per pixel and pass, of effects that send several");
   visit("effect.passes", s.effect.passes, 1, 65536, "passes per frame, of the same");
   visit("effect.progressive", s.effect.progressive, 0, 1, "frames go on with the passes before while nothing changes");
+  visit("effect.glossy", s.effect.glossy, 0, 1, "rough surfaces spread their reflections");
   visit("effect.roulette", s.effect.roulette, 0, 1, "random paths that carry little light end by chance");
   visit("effect.radius", s.effect.radius, 0, 10000, "meters within which things occlude; 0: any distance");
   visit("shadow.resolution", s.shadow.resolution, 16, 8192, "texels along a shadow map");

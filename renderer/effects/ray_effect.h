@@ -37,6 +37,8 @@ class RayEffect {
   // How many times hits may send on rays, the first rays included: at least 1.
   virtual int generations(const Settings& settings) const = 0;
 
+  // Whether first rays are stored, not pixels.
+  virtual bool storesFirstRays(const Settings&) const { return false; }
   // Whether what a pixel's rays bring is all of its light. If not, it is the share that the surface reflects.
   virtual bool bringsAllLight() const { return false; }
   // Whether first rays are the camera's, which firstHits() answers; otherwise a tracer does.
@@ -61,7 +63,7 @@ class RayEffect {
 
   // Brings the light of a batch to the pixels. `first` is the queue that spawn() filled.
   virtual void resolve(const FrameView& view, const Settings& settings, const RayQueue& first, const RayPasses& passes,
-                       int batch, const EffectFrame& frame, GBuffer& gbuffer) = 0;
+                       int batch, EffectFrame& frame, GBuffer& gbuffer) = 0;
 
   // Of what it keeps from frame to frame.
   virtual std::uint64_t bytes() const { return 0; }

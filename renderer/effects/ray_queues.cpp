@@ -36,7 +36,7 @@ int bandCount(const GBuffer& gbuffer, std::uint32_t maxPixels) {
 }
 
 void reserveQueue(const gl::Api& api, std::uint32_t rays, RayStorage storage, RayQueue& queue) {
-  if (queue.capacity >= rays) return;
+  if (queue.capacity >= rays && queue.ofPixels() == (storage == RayStorage::pixels)) return;
   queue = RayQueue{};  // the old memory goes before the new comes
   if (storage == RayStorage::rays) {
     queue.rays = gl::Buffer(api, rays * sizeof(shared::Ray), "rays");

@@ -139,6 +139,8 @@ shared::FrameConstants makeFrameConstants(const Camera& camera, const Bounds& bo
   frame.traces = static_cast<std::uint32_t>(settings.trace.bounces);
   frame.effect = static_cast<std::uint32_t>(settings.trace.effect);
   frame.effectSamples = static_cast<std::uint32_t>(settings.effect.samples);
+  const bool glossy = settings.effect.glossy && settings.trace.effect == Effect::reflection;
+  frame.glossySamples = glossy ? static_cast<std::uint32_t>(settings.effect.samples) : 0;
   frame.occlusionRadius = settings.effect.radius > 0 ? settings.effect.radius : FAR_AWAY;
   frame.jitter = jitter;
   return frame;

@@ -26,8 +26,8 @@ struct RayPath {
   vec3 throughput;
   float pathLength;  // from the eye to the origin, meters (for texture footprints)
   uint pixel;        // y * width + x, row 0 at the bottom
-  uint slot;         // where its light is summed; no two rays of a dispatch share one
   uint kind;         // RAY_...
+  uint slot;         // where its light is summed; no two rays of a dispatch share one
   uint padding;
 };
 #define RAY_REFLECTION 0u
@@ -38,7 +38,8 @@ struct RayPath {
 #define RAY_THROUGH 5u    // the camera's, behind what it has met
 #define RAY_KINDS 8
 
-// The same of a ray whose light is added to its pixel's LightSum. As large as a RayPath, the pixel in the same place.
+// The same of a ray whose light is added to its pixel's LightSum. As large as a RayPath, pixel and kind in the same
+// places.
 struct ScatteredPath {
   vec3 throughput;    // a shadow ray's: the light that it brings if nothing is in its way
   float pathLength;   // as above

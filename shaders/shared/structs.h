@@ -161,7 +161,7 @@ struct FrameConstants {
   uint effectSamples;
   uint firstPass;         // RayPasses::first: equal constants make equal rays
   float occlusionRadius;  // meters; FAR_AWAY: none is too far
-  uint padding0;
+  uint glossySamples;     // reflected rays per pixel; 0: one, as from a mirror
   uint padding1;
   uint padding2;
 };

@@ -35,7 +35,7 @@ class ReflectionShade : public LightTest {
 
   QueuedRay ray(std::uint32_t pixel, const vec3& origin, const vec3& direction, const vec3& throughput = vec3(1)) {
     return {{origin, FAR_AWAY, glm::normalize(direction), NO_TRIANGLE},
-            {throughput, 5.0f, pixel, 0, RAY_REFLECTION, 0}};
+            {throughput, 5.0f, pixel, RAY_REFLECTION, 0, 0}};
   }
 
   // The rays have the slots of their place in the list.
@@ -244,7 +244,7 @@ TEST_F(ReflectionShade, PixelsAreShadedAsTheRaysThatStartThere) {
   std::vector<shared::RayPath> paths;
   std::vector<shared::Hit> found;
   for (std::uint32_t i = 0; i < count; ++i) {
-    paths.push_back({vec3(1), glm::distance(rays[i].origin, frame.eye), numbers[i], i, RAY_REFLECTION, 0});
+    paths.push_back({vec3(1), glm::distance(rays[i].origin, frame.eye), numbers[i], RAY_REFLECTION, i, 0});
     found.push_back(i % 3 == 0 ? kMiss : i % 7 == 0 ? kOverflow : shared::Hit{0.5f, 0, 0.3f, 0.3f});
   }
   const RayQueue stored = makeQueue(api, {rays.begin(), rays.end()}, paths);

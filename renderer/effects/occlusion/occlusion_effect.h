@@ -26,7 +26,7 @@ class OcclusionEffect final : public RayEffect {
   void shade(const FrameView& view, const Settings& settings, const RayQueue& rays, const Hits& hits,
              const RayStep& step, RayQueue* next, EffectFrame& frame) override;
   void resolve(const FrameView& view, const Settings& settings, const RayQueue& first, const RayPasses& passes,
-               int batch, const EffectFrame& frame, GBuffer& gbuffer) override {
+               int batch, EffectFrame& frame, GBuffer& gbuffer) override {
     camera_.resolve(view, frame, first, passes, settings.effect.samples, batch, gbuffer);
   }
   std::uint64_t bytes() const override { return camera_.bytes(); }

@@ -1,5 +1,6 @@
 #include "effects/reflection/reflection_effect.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <utility>
@@ -45,11 +46,39 @@ const gl::Program& ReflectionEffect::shading(const GpuScene& scene, bool first, 
 }
 
 void ReflectionEffect::spawn(const FrameView& view, int batch, int batches, RayQueue& out, EffectFrame& frame) {
-  const GBuffer& gbuffer = view.gbuffer;
-  const Band band = bandOf(gbuffer, batch, batches);
-  reserveQueue(*api_, band.pixels, RayStorage::pixels, out);
-  reserveFrame(*api_, band.pixels, frame);
+  const Band band = bandOf(view.gbuffer, batch, batches);
+  const std::uint32_t samples = view.frame.glossySamples;
+  frame.batches = batches;
+  reserveFrame(*api_, band.pixels * std::max(samples, 1u), frame);
   const auto section = view.profiler.section("select");
+  if (samples == 0) {
+    spawnPixels(view, band, batch, out, frame);
+    return;
+  }
+  reserveQueue(*api_, band.pixels * samples, RayStorage::rays, out);
+  spawnPixels(view, band, batch, frame.pixels, frame);
+  scatter(view, frame.pixels, out);
+}
+
+// Of glossy reflections, from the pixels that reflect.
+void ReflectionEffect::scatter(const FrameView& view, const RayQueue& pixels, RayQueue& out) {
+  if (!scatter_) scatter_ = gl::Program::compute(*api_, "effects/reflection/scatter.comp");
+  out.count.fill(0);
+  scatter_.use();
+  view.bindRays(pixels);
+  view.gbuffer.material.bind(UNIT_MATERIAL);
+  out.rays.bindStorage(SSBO_NEXT_RAYS);
+  out.paths.bindStorage(SSBO_NEXT_PATHS);
+  out.count.bindStorage(SSBO_NEXT_COUNT);
+  api_->BindBuffer(GL_DISPATCH_INDIRECT_BUFFER, pixels.count.name());
+  api_->DispatchComputeIndirect(0);
+  count_.run(out);
+}
+
+void ReflectionEffect::spawnPixels(const FrameView& view, const Band& band, int batch, RayQueue& out,
+                                   EffectFrame& frame) {
+  const GBuffer& gbuffer = view.gbuffer;
+  reserveQueue(*api_, band.pixels, RayStorage::pixels, out);
   // The last frame's shaders wrote the counters; the fill overwrites them.
   api_->MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   out.count.fill(0);
@@ -85,9 +114,10 @@ void ReflectionEffect::measure(const FrameView& view, const RayQueue& first, Eff
   if (view.frame.minContribution > 0) return;
   const auto section = view.profiler.section("select");
   contributions_.use();
-  view.bindRays(first);
+  const RayQueue& pixels = first.ofPixels() ? first : frame.pixels;
+  view.bindRays(pixels);
   bindShaded(view, frame);
-  api_->BindBuffer(GL_DISPATCH_INDIRECT_BUFFER, first.count.name());
+  api_->BindBuffer(GL_DISPATCH_INDIRECT_BUFFER, pixels.count.name());
   api_->DispatchComputeIndirect(0);
   // The counts are read by reports.
   api_->MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
@@ -123,6 +153,32 @@ void ReflectionEffect::shade(const FrameView& view, const Settings&, const RayQu
   else
     // The slots are read by resolve().
     api_->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+}
+
+void ReflectionEffect::resolve(const FrameView& view, const Settings& settings, const RayQueue& first, const RayPasses&,
+                               int batch, EffectFrame& frame, GBuffer& gbuffer) {
+  resolve(view, first, frame, gbuffer, perPixel(settings));
+  if (settings.effect.glossy && batch + 1 == frame.batches) filter(view, frame, gbuffer);
+}
+
+void ReflectionEffect::filter(const FrameView& view, EffectFrame& frame, GBuffer& gbuffer) {
+  if (!filter_) filter_ = gl::Program::compute(*api_, "effects/reflection/filter.comp");
+  const gl::Texture::Shape& shape = gbuffer.reflection.shape();
+  if (!frame.filtered || frame.filtered.shape().width != shape.width || frame.filtered.shape().height != shape.height)
+    frame.filtered = gl::Texture(*api_, shape, "filtered reflection");
+  const auto section = view.profiler.section("shade");
+  filter_.use();
+  view.constants.bindUniform(UBO_FRAME);
+  gbuffer.reflection.bind(UNIT_REFLECTION);
+  gbuffer.position.bind(UNIT_POSITION);
+  gbuffer.normal.bind(UNIT_NORMAL);
+  gbuffer.material.bind(UNIT_MATERIAL);
+  frame.filtered.bindImage(IMAGE_REFLECTION, GL_WRITE_ONLY);
+  api_->DispatchCompute(static_cast<GLuint>((shape.width + kBandTile - 1) / kBandTile),
+                        static_cast<GLuint>((shape.height + kBandTile - 1) / kBandTile), 1);
+  // The reflection is read by the composite pass and by read-backs.
+  api_->MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
+  std::swap(frame.filtered, gbuffer.reflection);
 }
 
 void ReflectionEffect::resolve(const FrameView& view, const RayQueue& first, const EffectFrame& frame, GBuffer& gbuffer,

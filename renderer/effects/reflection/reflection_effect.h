@@ -9,7 +9,8 @@
 
 namespace halfsilver {
 
-// Mirror reflections: one ray per pixel whose reflection is traced, and one from each hit that reflects.
+// Mirror reflections: one ray per pixel whose reflection is traced, and one from each hit that reflects. With
+// effect.glossy several per pixel, spread as the surface's roughness says, and smoothed over alike neighbors.
 //
 // Traced are all pixels with a surface, or those that reflect more than a threshold, or none (SelectSettings), thinned
 // to a fraction that is scattered evenly or lies around the center, and to those whose reflection contributes enough to
@@ -21,9 +22,10 @@ class ReflectionEffect final : public RayEffect {
   explicit ReflectionEffect(const gl::Api& api);
 
   int generations(const Settings& settings) const override { return settings.trace.bounces; }
-  int batches(const GBuffer& gbuffer, const Settings&, std::uint32_t maxRays) const override {
-    return bandCount(gbuffer, maxRays);
+  int batches(const GBuffer& gbuffer, const Settings& settings, std::uint32_t maxRays) const override {
+    return bandCount(gbuffer, maxRays / perPixel(settings));
   }
+  bool storesFirstRays(const Settings& settings) const override { return settings.effect.glossy; }
   bool spawnReadsShading(const Settings& settings) const override { return settings.select.minContribution > 0; }
   // Section "select", as measure().
   void spawn(const FrameView& view, int batch, int batches, RayQueue& out, EffectFrame& frame) override;
@@ -34,22 +36,26 @@ class ReflectionEffect final : public RayEffect {
   void shade(const FrameView& view, const Settings&, const RayQueue& rays, const Hits& hits, const RayStep& step,
              RayQueue* next, EffectFrame& frame) override;
   // Section "shade": GBuffer::reflection, alpha 1 where a ray was answered.
-  void resolve(const FrameView& view, const Settings&, const RayQueue& first, const RayPasses&, int,
-               const EffectFrame& frame, GBuffer& gbuffer) override {
-    resolve(view, first, frame, gbuffer, 1);
-  }
+  void resolve(const FrameView& view, const Settings& settings, const RayQueue& first, const RayPasses&, int batch,
+               EffectFrame& frame, GBuffer& gbuffer) override;
   // The same for queues with several rays per pixel: the mean of those that were answered.
   void resolve(const FrameView& view, const RayQueue& first, const EffectFrame& frame, GBuffer& gbuffer,
                std::uint32_t slotsPerPixel);
 
  private:
   const gl::Program& shading(const GpuScene& scene, bool first, bool ofPixels, bool surfaces, bool next);
+  static std::uint32_t perPixel(const Settings& settings) {
+    return settings.effect.glossy ? static_cast<std::uint32_t>(settings.effect.samples) : 1;
+  }
+  void spawnPixels(const FrameView& view, const Band& band, int batch, RayQueue& out, EffectFrame& frame);
+  void scatter(const FrameView& view, const RayQueue& pixels, RayQueue& out);
+  void filter(const FrameView& view, EffectFrame& frame, GBuffer& gbuffer);
   static void bindShaded(const FrameView& view, const EffectFrame& frame);
 
   const gl::Api* api_;
   gl::Program spawn_, spawnByContribution_, contributions_;
   RayCountPass count_;
-  gl::Program resolve_;
+  gl::Program resolve_, scatter_, filter_;  // the last two made on first use
   // Made on first use: [first generation][queue of pixels][with HitSurface][with a next one].
   std::optional<SurfacePrograms> shade_[2][2][2][2];
 };

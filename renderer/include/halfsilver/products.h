@@ -132,8 +132,12 @@ struct EffectFrame {
   // Radiance[capacity of a batch]: a ray names its slot, and no two rays of a dispatch share one, so sums
   // depend on no order.
   gl::Buffer slots;
+  RayQueue pixels;       // of a batch whose first rays are stored
+  gl::Texture filtered;  // takes turns with GBuffer::reflection
   Contributions contributions;
-  std::size_t bytes() const { return slots.bytes() + contributions.counts.bytes(); }
+  std::size_t bytes() const {
+    return slots.bytes() + pixels.bytes() + (filtered ? filtered.bytes() : 0) + contributions.counts.bytes();
+  }
 };
 
 // One result per ray, in the order of the queue.

@@ -100,6 +100,7 @@ struct EffectSettings {
   int samples = 8;           // per pixel and pass, 1..64
   int passes = 1;            // of a frame, 1..65536
   bool progressive = false;  // frames go on with the passes of those before while nothing changes
+  bool glossy = false;       // reflections of rough surfaces are spread as they are; if not, they are a mirror's
   bool roulette = false;     // paths that carry little light end by chance
   float radius = 0;          // of occlusion, meters; farther things do not count; 0: all do
 

@@ -30,8 +30,8 @@ static_assert(sizeof(Ray) == 32);
 HALFSILVER_AT(RayPath, throughput, 0);
 HALFSILVER_AT(RayPath, pathLength, 12);
 HALFSILVER_AT(RayPath, pixel, 16);
-HALFSILVER_AT(RayPath, slot, 20);
-HALFSILVER_AT(RayPath, kind, 24);
+HALFSILVER_AT(RayPath, kind, 20);
+HALFSILVER_AT(RayPath, slot, 24);
 static_assert(sizeof(RayPath) == 32);
 
 HALFSILVER_AT(Radiance, sum, 0);
@@ -52,7 +52,7 @@ static_assert(sizeof(RayCount) == 32 + 4 * RAY_KINDS);
 static_assert(sizeof(ScatteredPath) == sizeof(RayPath));
 HALFSILVER_AT(ScatteredPath, pathLength, offsetof(RayPath, pathLength));
 HALFSILVER_AT(ScatteredPath, pixel, offsetof(RayPath, pixel));
-HALFSILVER_AT(ScatteredPath, kindAndSample, 20);
+HALFSILVER_AT(ScatteredPath, kindAndSample, offsetof(RayPath, kind));
 HALFSILVER_AT(ScatteredPath, media, 24);
 HALFSILVER_AT(ScatteredPath, density, 28);
 
@@ -119,6 +119,7 @@ HALFSILVER_AT(FrameConstants, allLight, 276);
 HALFSILVER_AT(FrameConstants, effectSamples, 280);
 HALFSILVER_AT(FrameConstants, firstPass, 284);
 HALFSILVER_AT(FrameConstants, occlusionRadius, 288);
+HALFSILVER_AT(FrameConstants, glossySamples, 292);
 static_assert(sizeof(FrameConstants) == 304);
 
 #undef HALFSILVER_AT

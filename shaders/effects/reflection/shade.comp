@@ -65,7 +65,7 @@ Surface storedSurface(uint index, Ray ray, Hit hit) {
 #ifdef PIXEL_QUEUE
 const uint raySource = RAYS_OF_PIXELS;
 RayPath loadPath(uint index, Ray ray) {
-  return RayPath(vec3(1.0), length(ray.origin - frame.eye), pixelOfRay(index), index, RAY_REFLECTION, 0u);
+  return RayPath(vec3(1.0), length(ray.origin - frame.eye), pixelOfRay(index), RAY_REFLECTION, index, 0u);
 }
 #else
 const uint raySource = RAYS_STORED;
@@ -115,7 +115,7 @@ void main() {
       uint next = atomicAdd(nextCount.count, 1u);  // at most one per ray: as many as this queue holds
       atomicAdd(nextCount.byKind[RAY_REFLECTION], 1u);
       nextRays[next] = Ray(s.position, FAR_AWAY, reflected, hit.triangle);
-      nextPaths[next] = RayPath(path.throughput * share, pathLength, path.pixel, path.slot, path.kind, 0u);
+      nextPaths[next] = RayPath(path.throughput * share, pathLength, path.pixel, path.kind, path.slot, 0u);
       sentOn = true;
     }
 #endif

@@ -1,0 +1,51 @@
+// Rays of glossy reflections: each pixel of the queue sends frame.glossySamples of them, as often as its visible
+// microfacets face that way (Heitz 2018). One invocation per pixel.
+#include "lib/fresnel.glsl"
+#include "lib/ggx.glsl"
+#include "lib/queued_ray.glsl"
+#include "lib/random.glsl"
+#include "lib/sampling.glsl"
+#include "shared/passes/shade_hits.h"
+
+layout(local_size_x = 64) in;
+
+layout(std430, binding = SSBO_RAY_COUNT) readonly buffer RayCountBlock { RayCount rayCount; };
+layout(std430, binding = SSBO_NEXT_RAYS) writeonly buffer NextRayBlock { Ray nextRays[]; };
+layout(std430, binding = SSBO_NEXT_PATHS) writeonly buffer NextPathBlock { RayPath nextPaths[]; };
+layout(std430, binding = SSBO_NEXT_COUNT) buffer NextCountBlock { RayCount nextCount; };
+
+const float SMOOTH_ALPHA = 1e-3;  // below: a mirror
+
+void main() {
+  uint index = (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * gl_WorkGroupSize.x + gl_LocalInvocationID.x;
+  if (index >= rayCount.count) return;
+  if (index == 0u) {
+    nextCount.count = rayCount.count * frame.glossySamples;
+    nextCount.reflecting = rayCount.reflecting;
+    nextCount.byKind[RAY_REFLECTION] += rayCount.count * frame.glossySamples;
+  }
+  uint number = pixelOfRay(index);
+  ivec2 pixel = ivec2(number % frame.width, number / frame.width);
+  vec4 material = texelFetch(gMaterial, pixel, 0);
+  float alpha = material.a * material.a;
+  Ray ray = mirrorRay(number);
+  vec3 fromEye = ray.origin - frame.eye, normal = texelFetch(gNormal, pixel, 0).xyz;
+  vec3 toEye = -normalize(fromEye), x, y;
+  frameAround(normal, x, y);
+  vec3 v = vec3(dot(toEye, x), dot(toEye, y), max(dot(toEye, normal), 1e-4));
+  vec3 facing = fresnelSchlick(material.rgb, v.z);  // what the blend scales the mean by
+  for (uint i = 0u; i < frame.glossySamples; ++i) {
+    vec3 weight = vec3(1.0);
+    if (alpha >= SMOOTH_ALPHA) {
+      vec3 h = ggxVisibleNormal(v, alpha, sample2(number, frame.firstPass * frame.glossySamples + i, 0u));
+      vec3 l = reflect(-v, h);
+      weight = fresnelSchlick(material.rgb, dot(v, h)) / max(facing, vec3(1e-4)) *
+               (l.z > 0.0 ? ggxMaskingShadowing(v.z, l.z, alpha) / ggxMasking(v.z, alpha) : 0.0);
+      // What would leave into the surface brings nothing, and is sent the other way.
+      ray.direction = normalize(l.x * x + l.y * y + abs(l.z) * normal);
+    }
+    uint slot = index * frame.glossySamples + i;
+    nextRays[slot] = ray;
+    nextPaths[slot] = RayPath(weight, length(fromEye), number, RAY_REFLECTION, slot, 0u);
+  }
+}
