@@ -176,7 +176,7 @@ void Renderer::Impl::start(const Work& work, const Camera& camera, const Setting
     for (RayQueue& queue : frame.queues)
       if (queue.count) queue.count.fill(0);  // overflow adds up over the generations that share a queue
     tracer->update(view, change);
-    frame.batches.resize(static_cast<std::size_t>(effect->batches(frame.gbuffer, wanted, maxRays(wanted))));
+    frame.batches.resize(static_cast<std::size_t>(effect->batches(view, wanted, maxRays(wanted))));
   } else {
     frame.batches.clear();  // no memory for rays that nobody traces
   }

@@ -20,7 +20,7 @@ constexpr auto choiceNames(Fill) { return std::array{"sky", "neighbours"}; }
 constexpr auto choiceNames(VoxelRaster) { return std::array{"voxel", "abuffer", "conservative"}; }
 constexpr auto choiceNames(AxisRule) { return std::array{"normal", "area", "own"}; }
 constexpr auto choiceNames(TraceStage) { return std::array{"compute", "fragment"}; }
-constexpr auto choiceNames(Effect) { return std::array{"reflection", "occlusion", "path"}; }
+constexpr auto choiceNames(Effect) { return std::array{"reflection", "whitted", "occlusion", "path"}; }
 constexpr auto choiceNames(ToneMap) { return std::array{"filmic", "none"}; }
 constexpr auto choiceNames(Antialiasing) { return std::array{"none", "fxaa", "temporal"}; }
 

@@ -5,6 +5,7 @@
 #include "effects/path/path_effect.h"
 #include "effects/ray_effect.h"
 #include "effects/reflection/reflection_effect.h"
+#include "effects/whitted/whitted_effect.h"
 
 namespace halfsilver {
 namespace {
@@ -15,7 +16,7 @@ std::unique_ptr<RayEffect> make(const gl::Api& api) {
 }
 
 // In the order of the enumerators.
-constexpr std::array kEffects{make<ReflectionEffect>, make<OcclusionEffect>, make<PathEffect>};
+constexpr std::array kEffects{make<ReflectionEffect>, make<WhittedEffect>, make<OcclusionEffect>, make<PathEffect>};
 
 }  // namespace
 

@@ -33,7 +33,7 @@ class RayEffect {
   virtual ~RayEffect() = default;
 
   // How many batches a frame needs so that none of its queues has more than `maxRays`.
-  virtual int batches(const GBuffer& gbuffer, const Settings& settings, std::uint32_t maxRays) const = 0;
+  virtual int batches(const FrameView& view, const Settings& settings, std::uint32_t maxRays) const = 0;
   // How many times hits may send on rays, the first rays included: at least 1.
   virtual int generations(const Settings& settings) const = 0;
 

@@ -48,7 +48,7 @@ bool visible(const RayContext& context, const Ray& ray, std::uint32_t number, gl
   const Scene& scene = *context.scene;
   const Triangle& triangle = scene.triangles[number];
   const Material& material = scene.materials[triangle.material];
-  if (context.cullBackFaces && !material.doubleSided) {
+  if (context.cullBackFaces && !seenFromBehind(material)) {
     const glm::dvec3 a = scene.vertices[triangle.vertices[0]].position;
     const glm::dvec3 b = scene.vertices[triangle.vertices[1]].position;
     const glm::dvec3 c = scene.vertices[triangle.vertices[2]].position;

@@ -40,7 +40,7 @@ std::vector<std::uint32_t> groupTriangles(const Scene& scene, const std::vector<
   std::array<std::vector<std::uint32_t>, 4> groups;
   for (std::size_t t = 0; t < scene.triangles.size(); ++t) {
     const std::size_t material = scene.triangles[t].material;
-    const std::size_t group = (holes[material] ? 2u : 0u) + (scene.materials[material].doubleSided ? 1u : 0u);
+    const std::size_t group = (holes[material] ? 2u : 0u) + (seenFromBehind(scene.materials[material]) ? 1u : 0u);
     groups[group].push_back(static_cast<std::uint32_t>(t));
   }
   std::vector<std::uint32_t> order;

@@ -102,7 +102,7 @@ shared::GpuMaterial packMaterial(const Material& material, bool holes, const Alp
   packed.occlusionStrength = material.occlusionStrength;
   packed.dielectricF0 = ratio * ratio;
   packed.mirror = material.mirror.value_or(0.0f);
-  packed.flags = (material.doubleSided ? MATERIAL_DOUBLE_SIDED : 0) | (holes ? MATERIAL_CUT : 0) |
+  packed.flags = (seenFromBehind(material) ? MATERIAL_DOUBLE_SIDED : 0) | (holes ? MATERIAL_CUT : 0) |
                  (blend ? MATERIAL_BLEND : 0) | (material.unlit ? MATERIAL_UNLIT : 0) |
                  (material.mirror ? MATERIAL_MIRROR : 0);
   packed.ior = material.ior;

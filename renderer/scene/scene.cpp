@@ -5,6 +5,11 @@
 
 namespace halfsilver {
 
+bool seenFromBehind(const Material& material) {
+  const bool volume = material.transmission > 0 && material.thickness > 0 && !material.unlit && !material.mirror;
+  return material.doubleSided || volume;
+}
+
 Bounds Scene::bounds() const {
   Bounds bounds;
   for (const Triangle& triangle : triangles)

@@ -15,13 +15,16 @@ uint takeLight(inout uint pending) {
   return light;
 }
 
-// Inverse square with a range window and the spot's cone (KHR_lights_punctual), or a rectangle's cosine.
+// 1 near the light, 0 from its range on; a range of 0 has no end (KHR_lights_punctual).
+float rangeWindow(float range, float distanceToLight) {
+  if (range <= 0.0) return 1.0;
+  float x = distanceToLight / range;
+  return clamp(1.0 - x * x * x * x, 0.0, 1.0);
+}
+
+// Inverse square with a range window and the spot's cone, or a rectangle's cosine.
 float attenuation(vec4 directionType, vec4 shadow, float range, vec3 toLight, float distanceToLight) {
-  float window = 1.0;
-  if (range > 0.0) {
-    float x = distanceToLight / range;
-    window = clamp(1.0 - x * x * x * x, 0.0, 1.0);
-  }
+  float window = rangeWindow(range, distanceToLight);
   float cone = 1.0;
   bool spot = int(directionType.w) == LIGHT_SPOT;
   if (spot || int(directionType.w) == LIGHT_RECTANGLE) {

@@ -45,7 +45,7 @@ struct ScatteredPath {
   float pathLength;   // as above
   uint pixel;         // as above
   uint kindAndSample; // RAY_... | sample << 8
-  uint media;         // that the ray is in, see effects/whitted
+  uint media;         // that the ray is in, see lib/media.glsl
   float density;      // of choosing the direction, per solid angle; 0: there was no choice
 };
 

@@ -101,7 +101,8 @@ INSTANTIATE_TEST_SUITE_P(Render, EveryPreset,
                          testing::Values(PresetCase{"deferred", false, true}, PresetCase{"kastrati2017", false, false},
                                          PresetCase{"hu2014", true, false}, PresetCase{"reference", false, false},
                                          PresetCase{"bvh", false, false}, PresetCase{"halfsilver", false, false},
-                                         PresetCase{"occlusion", true, false}, PresetCase{"path", true, false}),
+                                         PresetCase{"occlusion", true, false}, PresetCase{"path", true, false},
+                                         PresetCase{"whitted", true, false}),
                          [](const auto& instance) { return instance.param.name; });
 
 TEST(Render, StatisticsHaveTheContractsSchema) {

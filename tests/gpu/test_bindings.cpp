@@ -264,6 +264,11 @@ TEST_F(Bindings, OfAttributesInSortedLinkedListsOfThreeBuffers) {
                          {"abuffer.sorted", "true"}});
 }
 
+TEST_F(Bindings, OfWhittedsRays) {
+  expectNothingBorrowed(litSoup(), kAbove, {{"trace.effect", "whitted"}, {"trace.bounces", "2"}});
+  expectNothingBorrowed(litSoup(), kAbove, {{"trace.effect", "whitted"}, {"trace.method", "attributes"}});
+}
+
 TEST_F(Bindings, OfSmoothEdges) {
   for (const char* antialiasing : {"fxaa", "temporal"}) {
     SCOPED_TRACE(antialiasing);

@@ -1,6 +1,7 @@
 // What rays to lights and rays through glass are made of.
 #include <cmath>
 #include <glm/gtc/constants.hpp>
+#include <utility>
 
 #include "gpu/light_fixture.h"
 #include "gpu/shader_function.h"
@@ -76,6 +77,95 @@ TEST_F(LightSampleTest, OfASpotIsDarkOutsideItsCone) {
   const float distance = 2 / half;
   EXPECT_NEAR(sampleAt(light, {2 * std::tan(0.35f), 0, 0}).light.r, 8 * falloff * falloff / (distance * distance),
               1e-4f);
+}
+
+// Light on a patch that faces y, by as many choices as there are.
+class AreaLightTest : public LightSampleTest {
+ protected:
+  double irradiance(const Light& light, int side) {
+    std::vector<vec4> numbers;
+    for (int i = 0; i < side; ++i)
+      for (int k = 0; k < side; ++k)
+        numbers.emplace_back((static_cast<float>(i) + 0.5f) / static_cast<float>(side),
+                             (static_cast<float>(k) + 0.5f) / static_cast<float>(side), 0, 0);
+    sampleAt(light, vec3(0));  // binds it
+    double sum = 0;
+    for (const vec4& found : chosen_.run(numbers)) {
+      EXPECT_GT(found.y, 0);
+      sum += static_cast<double>(found.x);
+    }
+    return sum / static_cast<double>(numbers.size());
+  }
+
+ private:
+  ShaderFunction chosen_{api, "lib/light_sample.glsl",
+                         "LightSample s = sampleLight(0u, vec3(0.0), inputs[item].xy);\n"
+                         "outputs[item] = vec4(s.light.r * max(s.toLight.y, 0.0), s.distance, 0.0, 0.0);",
+                         1, 1};
+};
+
+TEST_F(AreaLightTest, ChosenPointsOfASphereAddUpToItsClosedForm) {
+  Light light;
+  light.type = LightType::sphere;
+  light.position = {0.6f, 1.2f, 0};
+  light.radius = 0.5f;
+  light.intensity = 7;
+  const double distance2 = 0.36 + 1.44, cosine = 1.2 / std::sqrt(distance2);
+  const double expected = 7 * glm::pi<double>() * 0.25 / distance2 * cosine;
+  EXPECT_NEAR(irradiance(light, 32), expected, 1e-3 * expected);
+  light.position = {0, 0.1f, 0};  // around the patch
+  EXPECT_EQ(sampleAt(light, vec3(0)).light, vec3(0));
+}
+
+TEST_F(AreaLightTest, ChosenPointsOfARectangleAddUpToItsFormFactor) {
+  Light light;
+  light.type = LightType::rectangle;
+  light.position = {0, 1, 0};
+  light.width = 1.5f;
+  light.height = 0.8f;
+  light.intensity = 7;
+  const double a = 0.75, b = 0.4, p = std::sqrt(1 + a * a), q = std::sqrt(1 + b * b);
+  // Of four quarters, each with a corner over the patch.
+  const double factor = 2 / glm::pi<double>() * (a / p * std::atan(b / p) + b / q * std::atan(a / q));
+  EXPECT_NEAR(irradiance(light, 64), 7 * glm::pi<double>() * factor, 1e-3 * 22 * factor);
+  light.direction = {0, 1, 0};
+  EXPECT_EQ(irradiance(light, 4), 0);
+}
+
+class MediaTest : public ContextTest {
+ protected:
+  // What is on top and below after entering materials (positive: + 1) and leaving them (negative).
+  std::pair<int, int> after(const std::vector<int>& steps) const {
+    std::vector<vec4> way{vec4(0)};
+    for (std::size_t i = 0; i < 4; ++i)
+      way[0][static_cast<int>(i)] = i < steps.size() ? static_cast<float>(steps[i]) : 0.0f;
+    const vec4 found = function_.run(way)[0];
+    return {static_cast<int>(found.x), static_cast<int>(found.y)};
+  }
+
+ private:
+  ShaderFunction function_{api, "lib/media.glsl",
+                           "uint media = 0u;\n"
+                           "for (int i = 0; i < 4; ++i) {\n"
+                           "  int step = int(inputs[item][i]);\n"
+                           "  if (step > 0) media = enterMedium(media, uint(step - 1));\n"
+                           "  if (step < 0) media = leaveMedium(media, uint(-step - 1));\n"
+                           "}\n"
+                           "outputs[item] = vec4(float(media & 0xffffu), float(media >> 16), 0.0, 0.0);",
+                           1, 1};
+};
+
+TEST_F(MediaTest, TheLastOneEnteredFillsThePlace) {
+  using Pair = std::pair<int, int>;
+  EXPECT_EQ(after({}), Pair(0, 0));
+  EXPECT_EQ(after({5}), Pair(5, 0));
+  EXPECT_EQ(after({5, 7}), Pair(7, 5));
+  EXPECT_EQ(after({5, 7, -7}), Pair(5, 0)) << "one in the other";
+  EXPECT_EQ(after({5, 7, -5}), Pair(7, 0)) << "they overlap";
+  EXPECT_EQ(after({5, 7, -5, -7}), Pair(0, 0));
+  EXPECT_EQ(after({5, 5, -5}), Pair(5, 0)) << "a mesh that overlaps itself";
+  EXPECT_EQ(after({1, 2, 3}), Pair(3, 2)) << "a third displaces the outermost";
+  EXPECT_EQ(after({5, -9}), Pair(5, 0)) << "it never entered the other";
 }
 
 class InterfaceTest : public ContextTest {

@@ -97,9 +97,15 @@ TEST_F(ReflectionSpawn, NoBatchIsEmpty) {
   GBuffer buffer;
   buffer.width = 64;
   buffer.height = 77;
+  const GpuScene scene;
+  const ShadowMaps unshadowed;
+  const gl::Buffer constants;
+  const shared::FrameConstants frame{};
+  gl::Profiler profiler(api);
+  const FrameView view{scene, unshadowed, constants, frame, profiler, buffer};
   for (std::uint32_t tiles = 1; tiles <= 10; ++tiles) {
     const int rows = 8 * static_cast<int>(tiles);
-    const int batches = effect.batches(buffer, {}, tiles * 8 * 64);
+    const int batches = effect.batches(view, {}, tiles * 8 * 64);
     EXPECT_EQ(batches, (buffer.height + rows - 1) / rows) << tiles << " rows of tiles fit";
   }
 }

@@ -7,8 +7,8 @@ OcclusionEffect::OcclusionEffect(const gl::Api& api)
       scatter_(gl::Program::compute(api, "effects/occlusion/scatter.comp")),
       gather_(gl::Program::compute(api, "effects/occlusion/gather.comp")) {}
 
-int OcclusionEffect::batches(const GBuffer& gbuffer, const Settings& settings, std::uint32_t maxRays) const {
-  return cameraBatches(gbuffer, static_cast<std::uint32_t>(settings.effect.samples), maxRays);
+int OcclusionEffect::batches(const FrameView& view, const Settings& settings, std::uint32_t maxRays) const {
+  return cameraBatches(view.gbuffer, static_cast<std::uint32_t>(settings.effect.samples), maxRays);
 }
 
 void OcclusionEffect::shade(const FrameView& view, const Settings& settings, const RayQueue& rays, const Hits& hits,

@@ -12,7 +12,7 @@ class OcclusionEffect final : public RayEffect {
  public:
   explicit OcclusionEffect(const gl::Api& api);
 
-  int batches(const GBuffer& gbuffer, const Settings& settings, std::uint32_t maxRays) const override;
+  int batches(const FrameView& view, const Settings& settings, std::uint32_t maxRays) const override;
   int generations(const Settings&) const override { return 2; }
   bool bringsAllLight() const override { return true; }
   bool startsAtCamera() const override { return true; }

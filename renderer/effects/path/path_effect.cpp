@@ -14,8 +14,8 @@ constexpr int kFirstEnd = 3;                 // generation from which paths may 
 
 PathEffect::PathEffect(const gl::Api& api) : api_(&api), camera_(api), energy_(api) {}
 
-int PathEffect::batches(const GBuffer& gbuffer, const Settings& settings, std::uint32_t maxRays) const {
-  return cameraBatches(gbuffer, kRaysPerSample * static_cast<std::uint32_t>(settings.effect.samples), maxRays);
+int PathEffect::batches(const FrameView& view, const Settings& settings, std::uint32_t maxRays) const {
+  return cameraBatches(view.gbuffer, kRaysPerSample * static_cast<std::uint32_t>(settings.effect.samples), maxRays);
 }
 
 const gl::Program& PathEffect::shading(const GpuScene& scene, bool camera, bool last) {

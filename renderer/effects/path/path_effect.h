@@ -15,7 +15,7 @@ class PathEffect final : public RayEffect {
  public:
   explicit PathEffect(const gl::Api& api);
 
-  int batches(const GBuffer& gbuffer, const Settings& settings, std::uint32_t maxRays) const override;
+  int batches(const FrameView& view, const Settings& settings, std::uint32_t maxRays) const override;
   // Surfaces after the camera's: trace.bounces, then what their rays find.
   int generations(const Settings& settings) const override { return settings.trace.bounces + 2; }
   bool bringsAllLight() const override { return true; }

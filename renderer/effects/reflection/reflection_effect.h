@@ -22,8 +22,8 @@ class ReflectionEffect final : public RayEffect {
   explicit ReflectionEffect(const gl::Api& api);
 
   int generations(const Settings& settings) const override { return settings.trace.bounces; }
-  int batches(const GBuffer& gbuffer, const Settings& settings, std::uint32_t maxRays) const override {
-    return bandCount(gbuffer, maxRays / perPixel(settings));
+  int batches(const FrameView& view, const Settings& settings, std::uint32_t maxRays) const override {
+    return bandCount(view.gbuffer, maxRays / perPixel(settings));
   }
   bool storesFirstRays(const Settings& settings) const override { return settings.effect.glossy; }
   bool spawnReadsShading(const Settings& settings) const override { return settings.select.minContribution > 0; }

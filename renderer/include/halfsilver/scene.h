@@ -109,6 +109,10 @@ struct Material {
   TextureUse coatNormalTexture;     // the coat has the plain normal without it, whatever normalTexture says
 };
 
+// Whether triangles show their backs even if scene.cull_back_faces leaves out others: those of double-sided materials
+// and of volumes, whose inside rays meet.
+bool seenFromBehind(const Material& material);
+
 // Rectangles shine from one side, spheres from all of their surface, equally bright from wherever they are seen. The
 // deferred pass lights with them as with a point that sends out as much into each direction; effects sample them. As
 // points do, they light and are not seen: neither the camera nor rays meet them.

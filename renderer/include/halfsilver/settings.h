@@ -39,6 +39,7 @@ enum class AxisRule {
 enum class TraceStage { compute, fragment };
 enum class Effect {
   reflection,  // mirror reflections, blended with the deferred shading
+  whitted,     // reflection, refraction and shadows by rays at every hit
   occlusion,   // how much of the surroundings each surface sees
   path         // all light, along random paths
 };

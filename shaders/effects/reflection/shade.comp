@@ -7,6 +7,9 @@
 #include "lib/sky.glsl"
 #include "shared/passes/shade_hits.h"
 #include "shared/rays.h"
+#ifdef HIT_SURFACES
+#include "effects/common/stored_surface.glsl"
+#endif
 
 layout(local_size_x = 64) in;
 
@@ -15,51 +18,11 @@ layout(std430, binding = SSBO_PATHS) readonly buffer PathBlock { RayPath paths[]
 #endif
 layout(std430, binding = SSBO_RAY_COUNT) readonly buffer RayCountBlock { RayCount rayCount; };
 layout(std430, binding = SSBO_HITS) readonly buffer HitBlock { Hit hits[]; };
-#ifdef HIT_SURFACES
-layout(std430, binding = SSBO_HIT_SURFACES) readonly buffer HitSurfaceBlock { HitSurface hitSurfaces[]; };
-#endif
 layout(std430, binding = SSBO_SLOTS) buffer SlotBlock { Radiance slots[]; };
 #ifdef NEXT_BOUNCE
 layout(std430, binding = SSBO_NEXT_RAYS) writeonly buffer NextRayBlock { Ray nextRays[]; };
 layout(std430, binding = SSBO_NEXT_PATHS) writeonly buffer NextPathBlock { RayPath nextPaths[]; };
 layout(std430, binding = SSBO_NEXT_COUNT) buffer NextCountBlock { RayCount nextCount; };
-#endif
-
-#ifdef HIT_SURFACES
-// Color, normal and reflectivity as the method stored them; the rest from the material's factors.
-Surface storedSurface(uint index, Ray ray, Hit hit) {
-  vec3 direction = ray.direction;
-  vec3 stored = hitSurfaces[index].normal;
-  uint material = triangleAt(hit.triangle).w;
-  vec3 a, b, c;
-  trianglePositions(hit.triangle, a, b, c);
-  vec3 geometric = normalize(cross(b - a, c - a));
-
-  Surface s;
-  s.position = ray.origin + hit.t * direction;
-  s.geometricNormal = dot(geometric, direction) > 0.0 ? -geometric : geometric;
-  s.normal = dot(stored, direction) > 0.0 ? -stored : stored;
-  s.baseColor = hitSurfaces[index].baseColor;
-  s.emissive = materials[material].emissive;
-  s.occlusion = 1.0;
-  s.metallic = materials[material].metallic;
-  s.roughness = materials[material].roughness;
-  s.reflectivity = hitSurfaces[index].reflectivity;
-  uint flags = materials[material].flags;
-  s.unlit = (flags & MATERIAL_UNLIT) != 0u && (flags & MATERIAL_MIRROR) == 0u;
-  vec3 dielectric = min(materials[material].dielectricF0 * materials[material].specularColor, vec3(1.0)) *
-                    materials[material].specularFactor;
-  s.f0 = mix(dielectric, s.baseColor, s.metallic);
-  if ((flags & MATERIAL_MIRROR) != 0u) {
-    s.f0 = vec3(materials[material].mirror);
-    s.metallic = 0.0;
-  }
-  // The stored reflectivity holds what the roughness texture said.
-  float fade = clamp(s.reflectivity / max(luminance(s.f0), 1e-6), 0.0, 1.0);
-  s.roughness = fade > 0.0 ? (1.0 - fade) * frame.maxRoughness : max(s.roughness, frame.maxRoughness);
-  leaveOutLayers(s);
-  return s;
-}
 #endif
 
 #ifdef PIXEL_QUEUE

@@ -2,6 +2,7 @@
 #ifndef HALFSILVER_PASSES_LIGHT_SUMS_H
 #define HALFSILVER_PASSES_LIGHT_SUMS_H
 
+#define SSBO_HIT_SURFACES 9  // HitSurface[], if the method stores attributes
 #define SSBO_LIGHT_SUMS 10  // LightSum[]
 #define SSBO_NEXT_RAYS 11   // Ray[]
 #define SSBO_NEXT_PATHS 12  // ScatteredPath[]

@@ -1,0 +1,138 @@
+// What a surface sends on.
+#include "effects/common/send_on.glsl"
+#include "lib/light_sample.glsl"
+#include "lib/random.glsl"
+
+uniform uint pass;
+uniform uint endsHere;  // what this surface reflects and lets pass is not traced: the sky stands in
+
+const float COAT_INDEX = 1.5;
+
+// A material's share of light that meets a clear inside.
+float clearShare(Surface s) { return s.transmission * (1.0 - s.metallic); }
+
+bool underCoat(Meeting m) { return m.s.coat > 0.0 && (m.front || m.s.thin || m.s.transmission <= 0.0); }
+
+float coatReflectance(Meeting m) {
+  if (!underCoat(m)) return 0.0;
+  return m.s.coat * meetInterface(m.direction, m.s.coatNormal, 1.0 / COAT_INDEX).reflectance;
+}
+
+// Index of refraction before the surface over that behind it.
+float indexRatio(Meeting m, int color) {
+  float behind = m.s.thin ? indexOf(m.s.ior, m.s.dispersion, color) : indexOfMedium(m.behind, color);
+  return indexOfMedium(m.before, color) / behind;
+}
+
+// A way of a path gives it another number.
+uint pathVia(Meeting m, uint way) { return joined(m.path, way) & 0xffffffu; }
+const uint WAY_REFLECTED = 0u, WAY_THROUGH = 1u, WAY_COAT = 4u, WAY_TO_LIGHT = 5u;
+
+void sendRay(Meeting m, uint kind, uint way, vec3 direction, float maxDistance, vec3 throughput, uint media) {
+  sendOn(Ray(m.s.position, maxDistance, direction, m.triangle),
+         ScatteredPath(throughput, m.pathLength, m.pixel, kind | pathVia(m, way) << 8, media, 0.0));
+}
+
+// A ray to a light goes on straight behind a clear surface. The border reflects the same from both sides: a ray that is
+// not bent meets no total reflection.
+void sendThrough(Meeting m, float maxDistance) {
+  float ratio = indexRatio(m, 1);
+  float reflectance = meetInterface(m.direction, m.s.normal, min(ratio, 1.0 / ratio)).reflectance;
+  vec3 throughput =
+      m.throughput * m.s.baseColor * (clearShare(m.s) * (1.0 - reflectance) * (1.0 - coatReflectance(m)));
+  if (any(greaterThan(throughput, vec3(0.0))))
+    sendRay(m, RAY_SHADOW, WAY_TO_LIGHT, m.direction, maxDistance, throughput, m.behind);
+}
+
+// Light that arrives along a reflected ray. `visibility`: of the sky.
+void sendReflected(Meeting m, vec3 normal, uint way, vec3 throughput, bool traced, float roughness, float visibility) {
+  if (all(lessThanEqual(throughput, vec3(0.0)))) return;
+  vec3 direction = reflect(m.direction, normal);
+  // The ray's media are those before the surface, so it must not begin behind it.
+  if (m.s.transmission > 0.0 && dot(direction, m.s.geometricNormal) <= 0.0)
+    direction = reflect(m.direction, m.s.geometricNormal);
+  if (traced && endsHere == 0u)
+    sendRay(m, RAY_REFLECTION, way, direction, FAR_AWAY, throughput, m.before);
+  else
+    addLight(m.pixel, throughput * skyRadiance(direction, roughness) * visibility);
+}
+
+// All that a clear surface lets pass, of `throughput`; returns the share that it reflects. Colors go ways of their own
+// if they are bent differently.
+vec3 sendRefracted(Meeting m, vec3 throughput, float visibility) {
+  bvec3 carried = greaterThan(m.throughput, vec3(0.0));
+  bool single = int(carried.r) + int(carried.g) + int(carried.b) == 1;
+  bool spread = !single && !m.s.thin && indexRatio(m, 0) != indexRatio(m, 2);
+  vec3 reflectance = vec3(0.0);
+  for (int i = 0; i < (spread ? 3 : 1); ++i) {
+    int color = spread ? i : single ? (carried.r ? 0 : carried.g ? 1 : 2) : 1;
+    vec3 colors = spread ? vec3(equal(ivec3(0, 1, 2), ivec3(i))) : vec3(1.0);
+    float ratio = indexRatio(m, color);
+    Interface border = meetInterface(m.direction, m.s.normal, ratio);
+    reflectance += colors * border.reflectance;
+    vec3 passing = throughput * colors * (1.0 - border.reflectance);
+    if (all(lessThanEqual(passing, vec3(0.0)))) continue;
+    vec3 direction = m.s.thin ? m.direction : border.refracted;
+    // A normal that is interpolated may bend a ray out again: then the triangle's own, or nothing bends it.
+    if (dot(direction, m.s.geometricNormal) >= 0.0)
+      direction = meetInterface(m.direction, m.s.geometricNormal, ratio).refracted;
+    if (dot(direction, m.s.geometricNormal) >= 0.0) direction = m.direction;
+    if (endsHere != 0u)
+      addLight(m.pixel, passing * skyRadiance(direction, m.s.roughness) * visibility);
+    else
+      sendRay(m, RAY_REFRACTION, WAY_THROUGH + uint(i), direction, FAR_AWAY, passing, m.behind);
+  }
+  return reflectance;
+}
+
+// One ray to each light that is not behind the surface. `base`, `coat`: what is left of light that the base and the
+// coat scatter towards the ray's origin.
+void sendToLights(Meeting m, vec3 base, float coat) {
+  Surface film = m.s;
+  film.normal = m.s.coatNormal;
+  film.baseColor = vec3(0.0);
+  film.f0 = vec3(0.04);
+  film.metallic = 0.0;
+  film.roughness = m.s.coatRoughness;
+  for (uint light = 0u; light < frame.directLights; ++light) {
+    LightSample to = sampleLight(light, m.s.position, sample2(m.pixel, pass, joined(m.path, light)));
+    if (dot(m.s.geometricNormal, to.toLight) <= 0.0) continue;
+    vec3 scattered = base * shadeLight(m.s, -m.direction, to.toLight);
+    if (coat > 0.0) scattered += coat * shadeLight(film, -m.direction, to.toLight);
+    vec3 throughput = m.throughput * scattered * to.light;
+    if (all(lessThanEqual(throughput, vec3(0.0)))) continue;
+    const float justBefore = 0.9999;
+    float maxDistance = to.distance < FAR_AWAY ? justBefore * to.distance : FAR_AWAY;
+    sendRay(m, RAY_SHADOW, WAY_TO_LIGHT, to.toLight, maxDistance, throughput, m.before);
+  }
+}
+
+void shadeMeeting(Meeting m) {
+  float clear = clearShare(m.s);
+  vec3 tint = m.s.baseColor;
+  m.s.baseColor *= 1.0 - m.s.transmission;  // what is not let pass is scattered back
+  vec4 ambient = ambientLighting(m.s, -m.direction);
+  float film = coatReflectance(m), filmFade = roughnessFade(m.s.coatRoughness);
+  if (film > 0.0) {
+    vec3 share = m.throughput * film;
+    sendReflected(m, m.s.coatNormal, WAY_COAT, share * filmFade, true, m.s.coatRoughness, ambient.a);
+    sendReflected(m, m.s.coatNormal, WAY_COAT, share * (1.0 - filmFade), false, m.s.coatRoughness, ambient.a);
+  }
+  vec3 below = m.throughput * (1.0 - film);
+
+  float cosine = -dot(m.s.normal, m.direction);
+  vec3 share = reflectionShare(m.s.f0, m.s.roughness, cosine), skys = skyShare(m.s.f0, m.s.roughness, cosine);
+  bool traced = m.s.reflectivity > frame.minReflectivity;
+  if (clear > 0.0) {
+    vec3 reflectance = sendRefracted(m, below * clear * tint, ambient.a);
+    vec3 all = mix(reflectance, fresnelSchlick(tint, cosine), m.s.metallic);
+    float fade = roughnessFade(m.s.roughness);
+    share = all * fade;
+    skys = all * (1.0 - fade);
+    traced = true;
+  }
+  sendReflected(m, m.s.normal, WAY_REFLECTED, below * share, traced, m.s.roughness, ambient.a);
+  sendReflected(m, m.s.normal, WAY_REFLECTED, below * skys, false, m.s.roughness, ambient.a);
+  addLight(m.pixel, below * (1.0 - share) * (m.s.emissive + ambient.rgb));
+  sendToLights(m, (1.0 - film) * (1.0 - share), underCoat(m) ? m.s.coat * (1.0 - film * filmFade) : 0.0);
+}
