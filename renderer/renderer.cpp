@@ -108,7 +108,10 @@ void Renderer::Impl::runPass(const FrameView& view, Frame& frame, RayBatch& batc
     Hits& hits = generation == 0 ? batch.hits : frame.hits;
     if (generation > 0) {
       reserveHits(rays, tracer->storesAttributes(), hits);
-      tracer->trace(view, rays, hits);
+      if (effect->asksForAnyHit(generation))
+        tracer->occluded(view, rays, hits);
+      else
+        tracer->trace(view, rays, hits);
     }
     effect->shade(view, frame.settings, rays, hits, step, last ? nullptr : &next, frame.effect);
   }

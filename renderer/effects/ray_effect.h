@@ -44,6 +44,9 @@ class RayEffect {
   // Whether first rays are the camera's, which firstHits() answers; otherwise a tracer does.
   virtual bool startsAtCamera() const { return false; }
 
+  // Whether it is enough to know of that generation's rays that they meet something.
+  virtual bool asksForAnyHit(int) const { return false; }
+
   // Fills the queue with batch number `batch` of `batches`: first rays, their count and the size of their dispatch.
   // The G-buffer is shaded if spawnReadsShading(). Batch 0 begins the contributions, which all batches count. Allocates
   // what is too small.
