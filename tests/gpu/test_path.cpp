@@ -187,6 +187,27 @@ TEST_F(PathTest, AnEmittingRectangleLightsAFloorByItsFormFactor) {
   EXPECT_LT(std::sqrt(squares / pixels), 0.01 * brightest);
 }
 
+// What Fresnel leaves at 60 degrees, whichever side of the pane faces the camera.
+TEST_F(PathTest, AThinPanePassesTheSameFromBothSides) {
+  Material pane, lamp = white();
+  pane.metallic = pane.roughness = 0;
+  pane.transmission = 1;
+  pane.doubleSided = true;
+  lamp.emissive = vec3(1);
+  lamp.baseColor = {0, 0, 0, 1};
+  lamp.doubleSided = true;
+  for (const double side : {1.0, -1.0}) {
+    MeshBuilder build;
+    build.use(0).rectangle({-side * 2, 2, 0}, {side * 4, 0, 0}, {0, -4, 0});
+    build.use(1).rectangle({-30, 30, -3}, {60, 0, 0}, {0, -60, 0});
+    const Camera camera = lookAt({1.7320508f, 0, 1}, {0, 0, 0});
+    const Frame frame = draw(sceneOf(build, {pane, lamp}), camera,
+                             settings({{"effect.samples", "64"}, {"effect.passes", "8"}}), 9, 9);
+    EXPECT_LT(frame.at(4, 4, "hit.id"), 2);
+    EXPECT_NEAR(frame.at(4, 4, "R"), 1 - 0.0892f, 0.02f) << side;
+  }
+}
+
 TEST_F(PathTest, TheErrorFallsWithTheRootOfTheSamples) {
   Scene scene = soup(100);
   scene.sky = evenly(0.3f);

@@ -51,7 +51,7 @@ void sendFrom(Surface s, Bsdf bsdf, ScatteredPath path, uint sampleNumber, uint 
       sendOn(Ray(s.position, light.distance, light.direction, triangle),
              ScatteredPath(brought, path.pathLength, path.pixel, RAY_SHADOW | sampleNumber << 8, light.emitter, 0.0));
   }
-  float eta = front ? s.ior : 1.0 / s.ior;
+  float eta = front || s.thin ? s.ior : 1.0 / s.ior;
   Scattering next = scatter(bsdf, s, eta, numbersFor(CHOOSE_DIRECTION, path.pixel, sampleNumber),
                             numbersFor(CHOOSE_LOBE, path.pixel, sampleNumber));
   throughput *= next.weight;
