@@ -187,6 +187,44 @@ TEST_F(WhittedTest, AThinWallReflectsAndTintsOnceAndBendsNothing) {
     }
 }
 
+TEST_F(WhittedTest, AVolumeInsideAnotherAbsorbsInItsPlace) {
+  const auto dark = [](const vec3& color) {
+    Material material = glass(1, 1);
+    material.attenuationColor = color;
+    material.attenuationDistance = 1;
+    return material;
+  };
+  Scene scene = slabOverFloor(dark({1, 1, 0.3f}));
+  addBox(scene, {-8, 0.6f, -8}, {8, 0.75f, 8}, addMaterial(scene, dark({1, 1, 0.6f})));
+  const Frame frame = see(scene, kOntoSlab, {{"trace.bounces", "4"}});
+  for (int y = 0; y < kHeight; y += 3)
+    for (int x = 0; x < kWidth; x += 3) {
+      const double cosine = -pixelRay(kOntoSlab, x, y).y;
+      EXPECT_NEAR(light(frame, x, y).b, std::pow(0.3, 0.25 / cosine) * std::pow(0.6, 0.15 / cosine), 2e-5);
+    }
+}
+
+TEST_F(WhittedTest, ACoatIsAMirrorThatTakesFromWhatIsBelow) {
+  Scene scene;
+  scene.sky = evenSky(vec3(1));
+  Material lacquer = unlit(vec3(0));
+  lacquer.unlit = false;
+  lacquer.specular = 0;
+  lacquer.emissive = {0, 0, 1};
+  lacquer.coat = 0.8f;
+  addQuad(scene, vec3(0), {9, 0, 0}, {0, 0, -9}, addMaterial(scene, lacquer));
+  const Frame frame = see(scene, kOverSlab);
+  EXPECT_EQ(frame.report.rays[RAY_REFLECTION], frame.report.selected);
+  for (int y = 0; y < kHeight; y += 3)
+    for (int x = 0; x < kWidth; x += 3) {
+      const dvec3 ray = pixelRay(kOverSlab, x, y);
+      if (ray.y > -0.3) continue;
+      const double film = 0.8 * reflectance(-ray.y, 1 / 1.5);
+      EXPECT_NEAR(light(frame, x, y).r, film, 1e-5);
+      EXPECT_NEAR(light(frame, x, y).b, film + (1 - film), 1e-5);
+    }
+}
+
 TEST_F(WhittedTest, ColorsGoWaysOfTheirOwnThroughGlassThatDisperses) {
   Material material = glass(1.5f, 0.4f);
   material.dispersion = 2;
