@@ -218,6 +218,10 @@ void Renderer::Impl::finish(const Target& target) {
   api.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   std::vector<std::string> warnings = scene.warnings;
   warnings.insert(warnings.end(), shadowWarnings.begin(), shadowWarnings.end());
+  if (scene.layeredMaterials > 0 && !effect->showsLayers())
+    warnings.push_back(std::to_string(scene.layeredMaterials) +
+                       " material(s) transmit light or have a coat, which only the effects whitted and path show "
+                       "(trace.effect)");
   MemoryReport held;
   held.geometry = scene.geometryBytes();
   held.textures = scene.textureBytes();

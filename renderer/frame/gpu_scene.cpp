@@ -109,6 +109,10 @@ void uploadMaterials(const gl::Api& api, GpuScene& gpu, const Scene& scene, std:
     materials.push_back(packMaterial(scene.materials[m], holes[m], alphas.places[m], gpu.textureLocations));
     if (holes[m]) cut.push_back(materials.back());
   }
+  gpu.layeredMaterials = static_cast<std::uint32_t>(
+      std::count_if(materials.begin(), materials.end(), [](const shared::GpuMaterial& material) {
+        return (material.flags & (MATERIAL_TRANSMISSIVE | MATERIAL_COATED)) != 0;
+      }));
   gpu.materials = gl::makeBuffer(api, std::span<const shared::GpuMaterial>(materials), "materials");
   if (!sameBytes(cut, gpu.cutMaterials)) ++gpu.casters;
   gpu.cutMaterials = std::move(cut);

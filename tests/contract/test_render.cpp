@@ -358,6 +358,17 @@ TEST(Samples, HaveARangeAndNoBudget) {
   }
 }
 
+TEST(Render, TellsWhichEffectsShowGlassAndCoats) {
+  const TemporaryFolder folder;
+  const std::string glass = "render builtin:glass --size 32x20 -o a.png ";
+  EXPECT_NE(runProgramIn(folder, glass).err.find("whitted and path"), std::string::npos);
+  for (const char* effect : {"whitted", "path"}) {
+    const ProgramResult result = runProgramIn(folder, glass + "--set trace.effect=" + effect);
+    expectDone(result);
+    EXPECT_EQ(result.err, "");
+  }
+}
+
 // A picture that refines is the picture that comes at once, and its rays are the same.
 TEST(Passes, GiveTheSamePictureInOneFrameOrInSeveral) {
   const TemporaryFolder folder;

@@ -16,6 +16,7 @@ class OcclusionEffect final : public RayEffect {
   int generations(const Settings&) const override { return 2; }
   bool bringsAllLight() const override { return true; }
   bool startsAtCamera() const override { return true; }
+  bool showsLayers() const override { return true; }  // it shows no materials at all
   bool asksForAnyHit(int generation) const override { return generation > 0; }
   void spawn(const FrameView& view, int batch, int batches, RayQueue& out, EffectFrame& frame) override {
     camera_.spawn(view, batch, batches, out, frame);

@@ -20,6 +20,7 @@ class PathEffect final : public RayEffect {
   int generations(const Settings& settings) const override { return settings.trace.bounces + 2; }
   bool bringsAllLight() const override { return true; }
   bool startsAtCamera() const override { return true; }
+  bool showsLayers() const override { return true; }
   void spawn(const FrameView& view, int batch, int batches, RayQueue& out, EffectFrame& frame) override {
     camera_.spawn(view, batch, batches, out, frame);
   }

@@ -18,6 +18,7 @@ class WhittedEffect final : public RayEffect {
   int generations(const Settings& settings) const override;
   bool bringsAllLight() const override { return true; }
   bool startsAtCamera() const override { return true; }
+  bool showsLayers() const override { return true; }
   void spawn(const FrameView& view, int batch, int batches, RayQueue& out, EffectFrame& frame) override {
     camera_.spawn(view, batch, batches, out, frame);
   }

@@ -37,6 +37,7 @@ struct GpuScene {
   std::vector<DrawRange> drawRanges;
   DrawClusters clusters;                          // of the draw list
   std::vector<shared::GpuMaterial> cutMaterials;  // those with holes
+  std::uint32_t layeredMaterials = 0;             // that transmit or have a coat
   std::uint32_t casters = 0;  // counts changes of what casts shadows but for moves: of the draw list and of holes
   std::vector<gl::Texture> textures;  // buckets of equal size, at most TEXTURE_BUCKETS
   gl::TexelBuffer alphas;             // of the textures that cut holes, see GpuMaterial::alphaFirst
