@@ -70,4 +70,10 @@ Method witnessedMethod(const std::string& method, const Method& exact, Witnesses
           }};
 }
 
+std::vector<Method> WitnessTest::methods(const Scene& scene) const {
+  std::vector<Method> all = TracingTest::methods(scene);
+  all.push_back(witnessedMethod("identity", all.front(), *counts_));
+  return all;
+}
+
 }  // namespace halfsilver::testing

@@ -4,8 +4,10 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include <halfsilver/tracer.h>
+#include "gpu/tracing_scenes.h"
 
 namespace halfsilver::testing {
 
@@ -24,5 +26,13 @@ using Witnesses = std::array<Witness, RAY_KINDS>;
 // A tracer that has every queue of stored rays traced by a method and by exact rays, counts where they differ, and
 // answers as the method does. `counts` outlives it.
 Method witnessedMethod(const std::string& method, const Method& exact, Witnesses& counts);
+
+// Frames over "witnessed", the default method with exact rays beside it.
+class WitnessTest : public TracingTest {
+ protected:
+  std::vector<Method> methods(const Scene& scene) const override;
+
+  std::unique_ptr<Witnesses> counts_ = std::make_unique<Witnesses>();  // the renderer keeps their place
+};
 
 }  // namespace halfsilver::testing

@@ -14,21 +14,13 @@ namespace {
 using glm::dvec3;
 using glm::vec3;
 
-class GlossyTest : public TracingTest {
+class GlossyTest : public WitnessTest {
  protected:
   static Settings settings(std::initializer_list<std::pair<const char*, const char*>> more = {}) {
     Settings result = settingsWith({{"effect.glossy", "true"}, {"select.max_roughness", "1"}});
     for (const auto& [name, value] : more) set(result, name, value);
     return result;
   }
-
-  std::vector<Method> methods(const Scene& scene) const override {
-    std::vector<Method> all = TracingTest::methods(scene);
-    all.push_back(witnessedMethod("identity", all.front(), *counts_));
-    return all;
-  }
-
-  std::unique_ptr<Witnesses> counts_ = std::make_unique<Witnesses>();
 };
 
 Scene withRoughness(Scene scene, float roughness) {

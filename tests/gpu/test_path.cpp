@@ -14,21 +14,13 @@ namespace {
 
 using glm::vec3;
 
-class PathTest : public TracingTest {
+class PathTest : public WitnessTest {
  protected:
   static Settings settings(std::initializer_list<std::pair<const char*, const char*>> more = {}) {
     Settings result = settingsWith({{"trace.effect", "path"}, {"trace.method", "exact"}});
     for (const auto& [name, value] : more) set(result, name, value);
     return result;
   }
-
-  std::vector<Method> methods(const Scene& scene) const override {
-    std::vector<Method> all = TracingTest::methods(scene);
-    all.push_back(witnessedMethod("identity", all.front(), *counts_));
-    return all;
-  }
-
-  std::unique_ptr<Witnesses> counts_ = std::make_unique<Witnesses>();
 };
 
 Material white() {
@@ -201,8 +193,8 @@ TEST_F(PathTest, AThinPanePassesTheSameFromBothSides) {
     build.use(0).rectangle({-side * 2, 2, 0}, {side * 4, 0, 0}, {0, -4, 0});
     build.use(1).rectangle({-30, 30, -3}, {60, 0, 0}, {0, -60, 0});
     const Camera camera = lookAt({1.7320508f, 0, 1}, {0, 0, 0});
-    const Frame frame = draw(sceneOf(build, {pane, lamp}), camera,
-                             settings({{"effect.samples", "64"}, {"effect.passes", "8"}}), 9, 9);
+    const Frame frame =
+        draw(sceneOf(build, {pane, lamp}), camera, settings({{"effect.samples", "64"}, {"effect.passes", "8"}}), 9, 9);
     EXPECT_LT(frame.at(4, 4, "hit.id"), 2);
     EXPECT_NEAR(frame.at(4, 4, "R"), 1 - 0.0892f, 0.02f) << side;
   }

@@ -82,7 +82,7 @@ Scene slabOverFloor(const Material& material) {
 const Camera kOverSlab = lookAt({0.3f, 2.1f, 1.9f}, {0, 0.9f, 0});
 const Camera kOntoSlab = lookAt({0.3f, 2.9f, 1.1f}, {0, 0.9f, 0});  // all pixels show it
 
-class WhittedTest : public TracingTest {
+class WhittedTest : public WitnessTest {
  protected:
   static Settings settings(std::initializer_list<std::pair<const char*, const char*>> more = {}) {
     Settings result = settingsWith({{"trace.effect", "whitted"}, {"select.mode", "all"}, {"trace.bounces", "3"}});
@@ -98,14 +98,6 @@ class WhittedTest : public TracingTest {
   static vec3 light(const Frame& frame, int x, int y) {
     return {frame.at(x, y, "reflection.R"), frame.at(x, y, "reflection.G"), frame.at(x, y, "reflection.B")};
   }
-
-  std::vector<Method> methods(const Scene& scene) const override {
-    std::vector<Method> all = TracingTest::methods(scene);
-    all.push_back(witnessedMethod("identity", all.front(), *counts_));
-    return all;
-  }
-
-  std::unique_ptr<Witnesses> counts_ = std::make_unique<Witnesses>();
 };
 
 TEST_F(WhittedTest, ASlabShiftsWhatIsBehindItAsSnellSaysAndDimsItAsFresnelSays) {
