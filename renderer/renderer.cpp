@@ -155,6 +155,7 @@ void Renderer::Impl::start(const Work& work, const Camera& camera, const Setting
   shared::FrameConstants constants =
       makeFrameConstants(camera, scene.extents.bounds(), sky, wanted, size.x, size.y, shadows.ranges, use.jitter);
   constants.allLight = effect->bringsAllLight() ? 1 : 0;
+  constants.blends = effect->blends() ? 1 : 0;
   constants.firstPass = use.passes.first;
   constants.traces = static_cast<std::uint32_t>(effect->generations(wanted) - (effect->startsAtCamera() ? 1 : 0));
   constants.traces *= use.passes.count;

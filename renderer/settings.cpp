@@ -20,7 +20,8 @@ constexpr auto choiceNames(Fill) { return std::array{"sky", "neighbours"}; }
 constexpr auto choiceNames(VoxelRaster) { return std::array{"voxel", "abuffer", "conservative"}; }
 constexpr auto choiceNames(AxisRule) { return std::array{"normal", "area", "own"}; }
 constexpr auto choiceNames(TraceStage) { return std::array{"compute", "fragment"}; }
-constexpr auto choiceNames(Effect) { return std::array{"reflection", "whitted", "occlusion", "path"}; }
+constexpr auto choiceNames(Effect) { return std::array{"reflection", "whitted", "occlusion", "path", "layers"}; }
+constexpr auto choiceNames(Transfer) { return std::array{"xray", "surface", "blend"}; }
 constexpr auto choiceNames(ToneMap) { return std::array{"filmic", "none"}; }
 constexpr auto choiceNames(Antialiasing) { return std::array{"none", "fxaa", "temporal"}; }
 
@@ -81,6 +82,9 @@ void visitAll(S& s, Visitor&& visit) {
   visit("effect.glossy", s.effect.glossy, 0, 1, "rough surfaces spread their reflections");
   visit("effect.roulette", s.effect.roulette, 0, 1, "random paths that carry little light end by chance");
   visit("effect.radius", s.effect.radius, 0, 10000, "meters within which things occlude; 0: any distance");
+  visit("effect.layers", s.effect.layers, 1, 64, "surfaces behind each other that are looked at");
+  visit("effect.transfer", s.effect.transfer, 0, 0, "what a layer adds to the light behind it and lets through");
+  visit("effect.opacity", s.effect.opacity, 0, 1, "of a layer that is seen straight on");
   visit("shadow.resolution", s.shadow.resolution, 16, 8192, "texels along a shadow map");
   visit("shadow.sky_directions", s.shadow.skyDirections, 0, 32, "shadowed directions that stand for the sky");
   visit("image.exposure", s.image.exposure, -20, 20, "stops");

@@ -1,6 +1,7 @@
 #include <array>
 #include <utility>
 
+#include "effects/layers/layers_effect.h"
 #include "effects/occlusion/occlusion_effect.h"
 #include "effects/path/path_effect.h"
 #include "effects/ray_effect.h"
@@ -16,7 +17,8 @@ std::unique_ptr<RayEffect> make(const gl::Api& api) {
 }
 
 // In the order of the enumerators.
-constexpr std::array kEffects{make<ReflectionEffect>, make<WhittedEffect>, make<OcclusionEffect>, make<PathEffect>};
+constexpr std::array kEffects{make<ReflectionEffect>, make<WhittedEffect>, make<OcclusionEffect>, make<PathEffect>,
+                              make<LayersEffect>};
 
 }  // namespace
 

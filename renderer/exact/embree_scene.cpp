@@ -25,7 +25,7 @@ constexpr std::size_t kGhosts = 8;
 struct RayContext : RTCIntersectContext {
   const Scene* scene = nullptr;
   const EmbreeParts* parts = nullptr;
-  bool cullBackFaces = true;
+  bool cullBackFaces = true, blends = false;
   const Ray* rays = nullptr;  // by RTCRay::id
   Hit* accepted = nullptr;    // likewise
 };
@@ -38,6 +38,7 @@ RayContext makeContext(const Scene& scene, const EmbreeParts& parts, const RayQu
   context.scene = &scene;
   context.parts = &parts;
   context.cullBackFaces = query.cullBackFaces;
+  context.blends = query.blends;
   context.rays = rays;
   context.accepted = accepted;
   return context;
@@ -54,7 +55,7 @@ bool visible(const RayContext& context, const Ray& ray, std::uint32_t number, gl
     const glm::dvec3 c = scene.vertices[triangle.vertices[2]].position;
     if (glm::dot(glm::cross(b - a, c - a), glm::dvec3(ray.direction)) > 0) return false;
   }
-  return !cutAway(scene, number, barycentrics);
+  return !cutAway(scene, number, barycentrics, context.blends);
 }
 
 // Called for hits that are no farther than the last one that was accepted: that one stands if it is as near and has the

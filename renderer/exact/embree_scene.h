@@ -19,7 +19,8 @@ namespace halfsilver {
 struct RayQuery {
   float minDistance = 0;  // nearer hits are ignored, meters
   bool cullBackFaces = true;
-  bool any = false;  // any hit will do
+  bool any = false;     // any hit will do
+  bool blends = false;  // FrameConstants::blends
 };
 
 // The triangles of the source that Embree's geometries hold, by the numbers that it gives them.

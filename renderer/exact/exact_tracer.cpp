@@ -118,7 +118,7 @@ class ExactTracer final : public Tracer {
     if (work.job) pool_.wait(*work.job);
     work.job.reset();
     work.queue = &rays;
-    work.query = {view.frame.minDistance, view.frame.cullBackFaces != 0, any};
+    work.query = {view.frame.minDistance, view.frame.cullBackFaces != 0, any, view.frame.blends != 0};
     work.reader.submit(view, rays, likely_);
     // A software rasterizer keeps the host from coming back before the deferred shading is done, and has the rays now.
     if (api_->software || work.reader.ready()) start(view, work);

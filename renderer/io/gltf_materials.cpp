@@ -50,7 +50,8 @@ class Builder {
       scene_.materials.push_back(material(document_.materials[m], item("materials", m)));
     if (blended_)
       diagnostics_.warn(std::to_string(blended_) + " material(s) with alphaMode BLEND (\"" + firstBlended_ +
-                        "\") are drawn without blending: cut out where texture alpha times vertex alpha is below 0.5");
+                        "\") are blended by trace.effect = layers alone; else cut out where texture alpha times vertex "
+                        "alpha is below 0.5");
   }
 
  private:

@@ -43,12 +43,14 @@ float textureAlpha(const Texture& texture, const TextureUse& use, float u, float
                     y.weight);
 }
 
-float factorOf(const Material& material) {
-  return material.alphaMode == AlphaMode::blend ? 1.0f : material.baseColor.a;
-}
+// What alpha is multiplied by and what it is tested against.
+struct Limits {
+  float factor, cutoff;
+};
 
-float cutoffOf(const Material& material) {
-  return material.alphaMode == AlphaMode::blend ? 0.5f : material.alphaCutoff;
+Limits limitsOf(const Material& material, bool blends) {
+  if (material.alphaMode != AlphaMode::blend) return {material.baseColor.a, material.alphaCutoff};
+  return blends ? Limits{material.baseColor.a, ALPHA_CLEAR} : Limits{1.0f, 0.5f};
 }
 
 float leastAlpha(const Texture& texture) {
@@ -59,7 +61,7 @@ float leastAlpha(const Texture& texture) {
 
 }  // namespace
 
-bool cutAway(const Scene& scene, std::uint32_t triangle, glm::vec2 barycentrics) {
+bool cutAway(const Scene& scene, std::uint32_t triangle, glm::vec2 barycentrics, bool blends) {
   const Triangle& corners = scene.triangles[triangle];
   const Material& material = scene.materials[corners.material];
   if (material.alphaMode == AlphaMode::opaque) return false;
@@ -75,7 +77,8 @@ bool cutAway(const Scene& scene, std::uint32_t triangle, glm::vec2 barycentrics)
     const float v = alphaInterpolate(a.uv[set].y, b.uv[set].y, c.uv[set].y, barycentrics.x, barycentrics.y);
     texel = textureAlpha(*scene.textures[static_cast<std::size_t>(use.texture)], use, u, v);
   }
-  return alphaBelow(texel, vertexAlpha, factorOf(material), cutoffOf(material));
+  const Limits limits = limitsOf(material, blends);
+  return alphaBelow(texel, vertexAlpha, limits.factor, limits.cutoff);
 }
 
 std::vector<bool> materialsWithHoles(const Scene& scene) {
@@ -98,8 +101,11 @@ std::vector<bool> materialsWithHoles(const Scene& scene) {
     }
     // Interpolation may round to slightly less than the smallest value.
     const float roundingSlack = 1e-5f;
-    const float least = texel * vertexAlpha[m] * factorOf(material);
-    holes[m] = !(least >= cutoffOf(material) + roundingSlack);
+    for (const bool blends : {false, true}) {
+      const Limits limits = limitsOf(material, blends);
+      const float least = texel * vertexAlpha[m] * limits.factor;
+      if (!(least >= limits.cutoff + roundingSlack)) holes[m] = true;
+    }
   }
   return holes;
 }

@@ -10,10 +10,11 @@ namespace halfsilver {
 
 // Whether the triangle has a hole at the barycentrics (weights of the second and third vertex): its base color's
 // alpha, read at full resolution, is below the cutoff. Agrees to the bit with cutAway() in shaders/lib/alpha.glsl;
-// cheap enough to be called for every candidate of a ray.
-bool cutAway(const Scene& scene, std::uint32_t triangle, glm::vec2 barycentrics);
+// cheap enough to be called for every candidate of a ray. `blends`: FrameConstants::blends.
+bool cutAway(const Scene& scene, std::uint32_t triangle, glm::vec2 barycentrics, bool blends = false);
 
-// One flag per material: whether cutAway() can be true on any of its triangles. Reads all texels of such materials.
+// One flag per material: whether cutAway() can be true on any of its triangles, blended or not. Reads all texels of
+// such materials.
 std::vector<bool> materialsWithHoles(const Scene& scene);
 
 }  // namespace halfsilver

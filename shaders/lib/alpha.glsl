@@ -28,7 +28,8 @@ struct CutTriangle {
   vec2 limits;    // the factor's alpha, the cutoff
 };
 
-CutTriangle cutTriangle(uvec4 corners) {
+// blends: FrameConstants::blends.
+CutTriangle cutTriangle(uvec4 corners, bool blends) {
   CutTriangle cut;
   GpuTexture use = materials[corners.w].textures[TEXTURE_BASE_COLOR];
   bool second = (use.sampling & SAMPLING_UV_SET) != 0u;
@@ -41,7 +42,8 @@ CutTriangle cutTriangle(uvec4 corners) {
   cut.texture = uvec4(use.sampling, materials[corners.w].alphaFirst, materials[corners.w].alphaWidth,
                       materials[corners.w].alphaHeight);
   bool blend = (materials[corners.w].flags & MATERIAL_BLEND) != 0u;
-  cut.limits = vec2(blend ? 1.0 : materials[corners.w].baseColor.a, materials[corners.w].alphaCutoff);
+  cut.limits = vec2(blend && !blends ? 1.0 : materials[corners.w].baseColor.a,
+                    blend && blends ? ALPHA_CLEAR : materials[corners.w].alphaCutoff);
   return cut;
 }
 
@@ -65,5 +67,6 @@ bool cutAway(CutTriangle cut, vec2 barycentrics) {
 
 bool cutAway(uint triangle, vec2 barycentrics) {
   uvec4 corners = triangles[triangle];
-  return (materials[corners.w].flags & MATERIAL_CUT) != 0u && cutAway(cutTriangle(corners), barycentrics);
+  return (materials[corners.w].flags & MATERIAL_CUT) != 0u &&
+         cutAway(cutTriangle(corners, frame.blends != 0u), barycentrics);
 }

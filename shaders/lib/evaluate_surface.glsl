@@ -90,6 +90,7 @@ Surface evaluateSurface(uint triangle, vec2 barycentrics, vec3 direction, float 
   vec3 baseColor = vec3(1.0), mapped = vec3(1.0), emissive = vec3(1.0), specularColor = vec3(1.0);
   vec2 roughnessMetallic = vec2(1.0);
   float occlusion = 1.0, specular = 1.0, transmission = 1.0, thickness = 1.0, coat = 1.0, coatRoughness = 1.0;
+  float alpha = 1.0;
   vec3 coatMapped = vec3(1.0);
   // Only the textures that there are, in a loop that cannot be unrolled: the sampling code is large, and software
   // rasterizers execute both sides of every branch.
@@ -103,7 +104,7 @@ Surface evaluateSurface(uint triangle, vec2 barycentrics, vec3 direction, float 
     vec4 texel = sampleTexture(binding, second ? coordinates.zw : coordinates.xy, second ? ddx.zw : ddx.xy,
                                second ? ddy.zw : ddy.xy);
     switch (use) {
-      case TEXTURE_BASE_COLOR: baseColor = texel.rgb; break;
+      case TEXTURE_BASE_COLOR: baseColor = texel.rgb; alpha = texel.a; break;
       case TEXTURE_METALLIC_ROUGHNESS: roughnessMetallic = texel.gb; break;
       case TEXTURE_NORMAL: mapped = texel.xyz; break;
       case TEXTURE_OCCLUSION: occlusion = texel.r; break;
@@ -120,6 +121,7 @@ Surface evaluateSurface(uint triangle, vec2 barycentrics, vec3 direction, float 
 
   s.unlit = (flags & MATERIAL_UNLIT) != 0u && !mirror;
   s.baseColor = (materials[m].baseColor * vertexColor).rgb * baseColor;
+  s.alpha = (flags & MATERIAL_BLEND) != 0u ? clamp(materials[m].baseColor.a * vertexColor.a * alpha, 0.0, 1.0) : 1.0;
   s.emissive = materials[m].emissive * emissive;
   s.roughness = clamp(materials[m].roughness * roughnessMetallic.x, 0.0, 1.0);
   s.metallic = clamp(materials[m].metallic * roughnessMetallic.y, 0.0, 1.0);

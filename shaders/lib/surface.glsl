@@ -5,6 +5,7 @@ struct Surface {
   vec3 geometricNormal;  // faces the viewer
   vec3 normal;           // shading normal, faces the viewer
   vec3 baseColor;
+  float alpha;  // of materials that blend; 1 of all others
   vec3 emissive;
   vec3 f0;  // reflectance at normal incidence
   float roughness;
@@ -25,8 +26,9 @@ struct Surface {
   vec3 coatNormal;  // faces the viewer
 };
 
-// For a surface whose transmission and coat nobody asks for.
+// For a surface whose transmission, coat and alpha nobody asks for.
 void leaveOutLayers(inout Surface s) {
+  s.alpha = 1.0;
   s.transmission = 0.0;
   s.thin = false;
   s.ior = 1.5;

@@ -18,7 +18,7 @@ uint drawnVertex() {
   uint corner = uint(gl_VertexID) % 3u;
   barycentrics = vec2(corner == 1u, corner == 2u);
   uvec4 corners = triangleAt(drawList[uint(gl_VertexID) / 3u]);
-  cut = cutTriangle(corners);
+  cut = cutTriangle(corners, false);
   return corners[corner];
 }
 #else

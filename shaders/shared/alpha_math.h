@@ -12,6 +12,8 @@
 #define ALPHA_PRECISE precise
 #endif
 
+#define ALPHA_CLEAR 0.0009765625f  // what has less blends with nothing that can be seen
+
 #define ALPHA_WRAP_REPEAT 0u
 #define ALPHA_WRAP_MIRROR 1u
 #define ALPHA_WRAP_CLAMP 2u

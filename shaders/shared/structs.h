@@ -10,7 +10,7 @@
 // Bits of GpuMaterial::flags.
 #define MATERIAL_DOUBLE_SIDED 1u
 #define MATERIAL_CUT 2u    // alpha is tested against `alphaCutoff`
-#define MATERIAL_BLEND 4u  // the factor's alpha is left out of the test
+#define MATERIAL_BLEND 4u  // lets light through where FrameConstants::blends; else cut at a half, without the factor
 #define MATERIAL_UNLIT 8u
 #define MATERIAL_MIRROR 16u  // f0 is `mirror`, roughness 0, no normal map
 #define MATERIAL_TRANSMISSIVE 32u
@@ -162,8 +162,8 @@ struct FrameConstants {
   uint firstPass;         // RayPasses::first: equal constants make equal rays
   float occlusionRadius;  // meters; FAR_AWAY: none is too far
   uint glossySamples;     // reflected rays per pixel; 0: one, as from a mirror
+  uint blends;            // 1: surfaces of MATERIAL_BLEND are met wherever they are not quite clear
   uint padding1;
-  uint padding2;
 };
 
 #endif

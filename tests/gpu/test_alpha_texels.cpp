@@ -23,8 +23,11 @@ using testing::ShaderFunction;
 using AlphaTexelsTest = testing::ContextTest;
 
 TEST_F(AlphaTexelsTest, HolesAreTheSameOnGpuAndCpu) {
-  const ShaderFunction cut(api, "lib/alpha.glsl",
-                           "outputs[item] = vec4(cutAway(floatBitsToUint(inputs[item].x), inputs[item].yz));", 1, 1);
+  const ShaderFunction cut(
+      api, "lib/alpha.glsl",
+      "outputs[item] = vec4(cutAway(cutTriangle(triangles[floatBitsToUint(inputs[item].x)], inputs[item].w != 0.0), "
+      "inputs[item].yz));",
+      1, 1);
   const auto texture = noise(37, 64, true, 11);
   std::minstd_rand random(5);
   std::uniform_real_distribution<float> unit(0, 1);
@@ -52,11 +55,12 @@ TEST_F(AlphaTexelsTest, HolesAreTheSameOnGpuAndCpu) {
         for (glm::vec4& input : inputs) {
           const std::uint32_t triangle = random() & 1;
           const float u = unit(random), v = (1 - u) * unit(random);
-          input = {glm::uintBitsToFloat(triangle), u, v, 0};
+          input = {glm::uintBitsToFloat(triangle), u, v, static_cast<float>(random() & 1)};
         }
         const std::vector<glm::vec4> outputs = cut.run(inputs);
         for (std::size_t i = 0; i < inputs.size(); ++i) {
-          const bool hole = cutAway(scene, glm::floatBitsToUint(inputs[i].x), {inputs[i].y, inputs[i].z});
+          const bool hole =
+              cutAway(scene, glm::floatBitsToUint(inputs[i].x), {inputs[i].y, inputs[i].z}, inputs[i].w != 0);
           ++points;
           holes += hole;
           wrong += hole != (outputs[i].x > 0.5f);
@@ -87,8 +91,10 @@ TEST_F(AlphaTexelsTest, MoreAlphaThanTheDeviceHoldsIsAnError) {
 
 // Holes come from a texture as it is in the scene, whatever its colors are resampled to.
 TEST_F(AlphaTexelsTest, HolesOfResampledTexturesAreThoseOfTheCpu) {
-  const ShaderFunction cut(api, "lib/alpha.glsl",
-                           "outputs[item] = vec4(cutAway(floatBitsToUint(inputs[item].x), inputs[item].yz));", 1, 1);
+  const ShaderFunction cut(
+      api, "lib/alpha.glsl",
+      "outputs[item] = vec4(cutAway(cutTriangle(triangles[floatBitsToUint(inputs[item].x)], false), inputs[item].yz));",
+      1, 1);
   Scene scene;
   for (std::uint32_t i = 0; i < 12; ++i) {
     scene.textures.push_back(noise(9 + 5 * static_cast<int>(i), 30, true, 40 + i));

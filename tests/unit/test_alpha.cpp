@@ -91,6 +91,12 @@ TEST(Alpha, FactorAndVertexColor) {
   EXPECT_TRUE(cutAway(scene, 0, {0.25f, 0.75f}));
   for (Vertex& vertex : scene.vertices) vertex.color.a = 0.4f;
   EXPECT_TRUE(cutAway(scene, 0, {0.25f, 0.25f}));
+  // Blended, only what is clear is a hole, and the factor counts again.
+  EXPECT_FALSE(cutAway(scene, 0, {0.25f, 0.25f}, true));
+  EXPECT_TRUE(cutAway(scene, 0, {0.25f, 0.75f}, true));
+  scene.materials[0].baseColor.a = 0;
+  EXPECT_TRUE(cutAway(scene, 0, {0.25f, 0.25f}, true));
+  EXPECT_TRUE(materialsWithHoles(scene)[0]);
   scene.materials[0].alphaMode = AlphaMode::opaque;
   EXPECT_FALSE(cutAway(scene, 0, {0.25f, 0.75f}));
 }

@@ -195,7 +195,7 @@ TEST(GltfMaterial, BlendSaysHowItIsDrawn) {
   const Model model = load(file);
   EXPECT_EQ(model.scene.materials[0].alphaMode, AlphaMode::blend);
   EXPECT_TRUE(warns(model, "glass"));
-  EXPECT_TRUE(warns(model, "without blending"));
+  EXPECT_TRUE(warns(model, "trace.effect = layers"));
 }
 
 TEST(GltfMaterial, TexelsAndSampler) {

@@ -59,8 +59,8 @@ struct TextureUse {
 enum class AlphaMode {
   opaque,
   mask,  // cut out where the base color's alpha is below alphaCutoff
-  blend  // drawn without blending: cut out where texture alpha times vertex alpha is below 0.5 (the factor is ignored,
-         // so that plain glass stays visible)
+  blend  // blended in order by Effect::layers; in all other pictures, and in shadows, cut out where texture alpha times
+         // vertex alpha is below 0.5 (the factor is ignored, so that plain glass stays visible)
 };
 
 // glTF metallic-roughness with KHR_materials_ior, _specular, _emissive_strength, _unlit, _transmission, _volume,

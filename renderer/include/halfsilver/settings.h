@@ -41,7 +41,8 @@ enum class Effect {
   reflection,  // mirror reflections, blended with the deferred shading
   whitted,     // reflection, refraction and shadows by rays at every hit
   occlusion,   // how much of the surroundings each surface sees
-  path         // all light, along random paths
+  path,        // all light, along random paths
+  layers       // all surfaces behind each other, see Transfer
 };
 enum class ToneMap { filmic, none };
 enum class Antialiasing {
@@ -96,6 +97,13 @@ struct TraceSettings {
   bool operator==(const TraceSettings&) const = default;
 };
 
+// What surfaces add to the light from behind them, and how much they let through, of Effect::layers.
+enum class Transfer {
+  xray,     // an even skin of each glows and absorbs, more at a slant
+  surface,  // lit as in a picture without traced rays
+  blend     // the same; only materials of AlphaMode::blend let light through
+};
+
 // Of effects that send several rays per pixel. A frame's picture is the mean of passes x samples of them.
 struct EffectSettings {
   int samples = 8;           // per pixel and pass, 1..64
@@ -104,6 +112,9 @@ struct EffectSettings {
   bool glossy = false;       // reflections of rough surfaces are spread as they are; if not, they are a mirror's
   bool roulette = false;     // paths that carry little light end by chance
   float radius = 0;          // of occlusion, meters; farther things do not count; 0: all do
+  int layers = 16;           // surfaces behind each other that are looked at, 1..64
+  Transfer transfer = Transfer::xray;
+  float opacity = 0.1f;  // of each layer, seen straight on, 0..1
 
   bool operator==(const EffectSettings&) const = default;
 };

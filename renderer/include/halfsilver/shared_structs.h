@@ -120,6 +120,7 @@ HALFSILVER_AT(FrameConstants, effectSamples, 280);
 HALFSILVER_AT(FrameConstants, firstPass, 284);
 HALFSILVER_AT(FrameConstants, occlusionRadius, 288);
 HALFSILVER_AT(FrameConstants, glossySamples, 292);
+HALFSILVER_AT(FrameConstants, blends, 296);
 static_assert(sizeof(FrameConstants) == 304);
 
 #undef HALFSILVER_AT
