@@ -198,16 +198,51 @@ TEST_F(LayersTest, ASheetThatIsClearIsNotThere) {
   expectColor(frame, 12, 8, {1, 0, 0}, 0);
 }
 
-TEST_F(LayersTest, WithoutMaterialsThatBlendThePictureIsTheDeferredOne) {
+// The G-buffer keeps colors in half floats.
+void expectAlike(const std::vector<float>& a, const std::vector<float>& b) {
+  std::size_t unlike = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) unlike += std::abs(a[i] - b[i]) > 2e-3f * std::max(b[i], 0.1f);
+  EXPECT_LE(unlike, a.size() / 500);
+  EXPECT_GT(*std::max_element(b.begin(), b.end()), 1.5f * *std::min_element(b.begin(), b.end()));
+}
+
+TEST_F(LayersTest, OfOpaqueSurfacesThePictureIsTheDeferredOne) {
   Scene scene = soup(300);
   scene.lights.push_back({});
-  const Frame layers = draw(scene, kAbove, settings({{"effect.transfer", "blend"}}), 64, 48);
-  const Frame deferred = draw(scene, kAbove, settingsWith({{"select.mode", "none"}}), 64, 48);
+  const Frame layers = draw(scene, kAbove, settings({{"effect.transfer", "surface"}, {"effect.opacity", "1"}}), 64, 48);
   EXPECT_EQ(layers.report.rays[RAY_THROUGH], 0u);
-  const std::vector<float> a = layers.plane("G"), b = deferred.plane("G");
-  // The G-buffer keeps colors in half floats.
-  for (std::size_t i = 0; i < a.size(); ++i) EXPECT_NEAR(a[i], b[i], 2e-3f * std::max(b[i], 0.1f));
-  EXPECT_GT(*std::max_element(b.begin(), b.end()), 1.5f * *std::min_element(b.begin(), b.end()));
+  expectAlike(layers.plane("G"), draw(scene, kAbove, settingsWith({{"select.mode", "none"}}), 64, 48).plane("G"));
+}
+
+TEST_F(LayersTest, WithoutMaterialsThatBlendThePictureIsThatOfReflections) {
+  const Scene scene = soup(300);
+  for (const char* bounces : {"1", "3"}) {
+    SCOPED_TRACE(bounces);
+    const Frame layers =
+        draw(scene, kAbove, settings({{"effect.transfer", "blend"}, {"trace.bounces", bounces}}), 64, 48);
+    const Frame mirrored = draw(scene, kAbove, settingsWith({{"trace.bounces", bounces}}), 64, 48);
+    EXPECT_EQ(layers.report.rays[RAY_THROUGH], 0u);
+    EXPECT_GT(layers.report.rays[RAY_REFLECTION], layers.report.selected / 2);
+    EXPECT_EQ(layers.report.overflow, 0u);
+    expectAlike(layers.plane("G"), mirrored.plane("G"));
+  }
+}
+
+TEST_F(LayersTest, ASheetThatBlendsDoesSoInAMirrorToo) {
+  // Seen past the mirror's camera: the mirror at z = -1 shows the sheet at z = 3 and the wall at z = 5.
+  std::vector<Material> materials = {mirrorMaterial(), glowing({0.2f, 0.2f, 1, 0.3f}), glowing({1, 0, 0, 1})};
+  materials[1].alphaMode = AlphaMode::blend;
+  Scene scene;
+  scene.materials = materials;
+  addQuad(scene, {-9, -9, -1}, {9, -9, -1}, {9, 9, -1}, {-9, 9, -1}, 0);
+  addQuad(scene, {-20, -20, 3}, {20, -20, 3}, {20, 20, 3}, {-20, 20, 3}, 1);
+  addQuad(scene, {-20, -20, 5}, {20, -20, 5}, {20, 20, 5}, {-20, 20, 5}, 2);
+  scene.sky = evenly(vec3(0));
+  const Frame frame = draw(scene, kAlongZ, settings({{"effect.transfer", "blend"}}), 24, 16);
+  for (const auto& [x, y] : {std::pair{12, 8}, {4, 3}})
+    expectColor(frame, x, y, 0.3f * vec3(0.2f, 0.2f, 1) + 0.7f * vec3(1, 0, 0), 2e-6f);
+  EXPECT_EQ(frame.report.rays[RAY_REFLECTION], 24u * 16);
+  EXPECT_EQ(frame.report.rays[RAY_THROUGH], 24u * 16);
 }
 
 TEST_F(LayersTest, PicturesOverTheDefaultAndOverExactRaysAreEqual) {

@@ -4,13 +4,27 @@
 
 namespace halfsilver {
 
-const gl::Program& LayersEffect::shading(const GpuScene& scene, bool camera, bool last, bool xray) {
-  std::optional<SurfacePrograms>& programs = shade_[camera][last][xray];
+namespace {
+
+// A surface that blends sends on two rays, one of which may do so again; more at once are counted as overflow.
+constexpr std::uint32_t kRaysPerPixel = 4;
+
+bool reflects(const Settings& settings) { return settings.effect.transfer == Transfer::blend; }
+
+}  // namespace
+
+int LayersEffect::batches(const GBuffer& gbuffer, const Settings& settings, std::uint32_t maxRays) const {
+  return cameraBatches(gbuffer, reflects(settings) ? kRaysPerPixel : 1, maxRays);
+}
+
+const gl::Program& LayersEffect::shading(const GpuScene& scene, bool camera, bool last, Transfer transfer) {
+  std::optional<SurfacePrograms>& programs = shade_[camera][last][static_cast<std::size_t>(transfer)];
   if (!programs) {
     std::vector<gl::Define> defines;
     if (camera) defines.push_back({"CAMERA_HITS"});
     if (last) defines.push_back({"LAST_GENERATION"});
-    if (xray) defines.push_back({"XRAY"});
+    if (transfer == Transfer::xray) defines.push_back({"XRAY"});
+    if (transfer == Transfer::blend) defines.push_back({"REFLECTIONS"});
     programs.emplace(*api_, "effects/layers/shade.comp", std::move(defines));
   }
   return programs->of(scene);
@@ -19,10 +33,13 @@ const gl::Program& LayersEffect::shading(const GpuScene& scene, bool camera, boo
 void LayersEffect::shade(const FrameView& view, const Settings& settings, const RayQueue& rays, const Hits& hits,
                          const RayStep& step, RayQueue* next, EffectFrame& frame) {
   const auto section = view.profiler.section("shade");
-  const bool xray = settings.effect.transfer == Transfer::xray;
-  const gl::Program& program = shading(view.scene, step.generation == 0, next == nullptr, xray);
-  camera_.bind(program, view, frame, rays, step, next, rays.capacity);
-  program.set("opacity", settings.effect.transfer == Transfer::blend ? 1.0f : settings.effect.opacity);
+  const gl::Program& program = shading(view.scene, step.generation == 0, next == nullptr, settings.effect.transfer);
+  const bool reflections = reflects(settings);
+  // The camera's queue has a ray per pixel, and later ones have the room that the first of them got.
+  const std::uint32_t room = step.generation == 0 && reflections ? kRaysPerPixel * rays.capacity : rays.capacity;
+  camera_.bind(program, view, frame, rays, step, next, room);
+  program.set("opacity", reflections ? 1.0f : settings.effect.opacity);
+  if (reflections && next) program.set("reflections", static_cast<unsigned>(settings.trace.bounces));
   view.scene.bindSurfaces();
   view.shadows.bind();
   view.scene.sky.bind(UNIT_SKY);

@@ -14,9 +14,7 @@ class LayersEffect final : public RayEffect {
  public:
   explicit LayersEffect(const gl::Api& api) : api_(&api), camera_(api) {}
 
-  int batches(const GBuffer& gbuffer, const Settings&, std::uint32_t maxRays) const override {
-    return cameraBatches(gbuffer, 1, maxRays);
-  }
+  int batches(const GBuffer& gbuffer, const Settings& settings, std::uint32_t maxRays) const override;
   int generations(const Settings& settings) const override { return settings.effect.layers; }
   bool bringsAllLight() const override { return true; }
   bool startsAtCamera() const override { return true; }
@@ -37,11 +35,11 @@ class LayersEffect final : public RayEffect {
   std::uint64_t bytes() const override { return camera_.bytes(); }
 
  private:
-  const gl::Program& shading(const GpuScene& scene, bool camera, bool last, bool xray);
+  const gl::Program& shading(const GpuScene& scene, bool camera, bool last, Transfer transfer);
 
   const gl::Api* api_;
   CameraRays camera_;
-  std::optional<SurfacePrograms> shade_[2][2][2];  // made on first use: [the camera's hits][the last layer][X-ray]
+  std::optional<SurfacePrograms> shade_[2][2][3];  // made on first use: [the camera's hits][the last layer][Transfer]
 };
 
 }  // namespace halfsilver

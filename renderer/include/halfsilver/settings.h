@@ -101,7 +101,7 @@ struct TraceSettings {
 enum class Transfer {
   xray,     // an even skin of each glows and absorbs, more at a slant
   surface,  // lit as in a picture without traced rays
-  blend     // the same; only materials of AlphaMode::blend let light through
+  blend     // lit, with mirror reflections; only materials of AlphaMode::blend let light through
 };
 
 // Of effects that send several rays per pixel. A frame's picture is the mean of passes x samples of them.

@@ -1,6 +1,6 @@
 // One layer of what lies behind a pixel: the light that its surface adds, and the ray that goes on behind it.
 // With CAMERA_HITS rays are the camera's; with LAST_GENERATION the sky follows on the layer; with XRAY surfaces absorb
-// and glow instead of being lit.
+// and glow instead of being lit; with REFLECTIONS rays go on from what reflects, too.
 #include "effects/common/light_sums.glsl"
 #include "lib/evaluate_surface.glsl"
 #include "lib/lights.glsl"
@@ -20,7 +20,8 @@ layout(std430, binding = SSBO_PATHS) readonly buffer PathBlock { ScatteredPath p
 layout(std430, binding = SSBO_RAY_COUNT) readonly buffer RayCountBlock { RayCount rayCount; };
 layout(std430, binding = SSBO_HITS) readonly buffer HitBlock { Hit hits[]; };
 
-uniform float opacity;  // of a surface that is seen straight on
+uniform float opacity;      // of a surface that is seen straight on
+uniform uint reflections;  // how often a path may be reflected: ScatteredPath::media counts
 
 // What a surface adds to the light behind it and how much of that it lets through.
 struct Layer {
@@ -30,7 +31,7 @@ struct Layer {
 
 #ifdef XRAY
 // A skin of even thickness: at a slant the way through it is 1 / cosine as long.
-Layer layerOf(uint triangle, TrianglePoint point, vec3 direction, float pathLength) {
+Layer layerOf(uint triangle, TrianglePoint point, vec3 direction, ScatteredPath path) {
   const vec3 GLOW = vec3(0.62, 0.78, 1.0);
   uvec4 corners = triangleAt(triangle);
   vec3 normal = mat3(attributes[corners.x].normal, attributes[corners.y].normal, attributes[corners.z].normal) *
@@ -40,21 +41,32 @@ Layer layerOf(uint triangle, TrianglePoint point, vec3 direction, float pathLeng
   return Layer((1.0 - passes) * GLOW, passes);
 }
 #else
-// The light of a pixel without traced reflections: deferred shading, and the sky for what it reflects.
-vec3 lightOf(Surface s, vec3 direction) {
+// The light of a pixel as the composite pass blends it. Of what it reflects the sky is left out if a ray finds it.
+vec3 lightOf(Surface s, vec3 direction, bool traced) {
   vec4 lit = directLighting(s, -direction);
   if (s.unlit) return lit.rgb;
   float cosine = -dot(s.normal, direction);
   vec3 share = reflectionShare(s.f0, s.roughness, cosine);
   vec3 sky = skyRadiance(reflect(direction, s.normal), s.roughness) * lit.a;
-  return (1.0 - share) * lit.rgb + (share + skyShare(s.f0, s.roughness, cosine)) * sky;
+  return (1.0 - share) * lit.rgb + ((traced ? vec3(0.0) : share) + skyShare(s.f0, s.roughness, cosine)) * sky;
 }
 
-Layer layerOf(uint triangle, TrianglePoint point, vec3 direction, float pathLength) {
-  Surface s = evaluateSurface(triangle, point.barycentrics, direction, pathLength * frame.pixelCone, BASE_TEXTURES);
+Layer layerOf(uint triangle, TrianglePoint point, vec3 direction, ScatteredPath path) {
+  Surface s = evaluateSurface(triangle, point.barycentrics, direction, path.pathLength * frame.pixelCone,
+                              BASE_TEXTURES);
   s.position = point.position;
   float covers = opacity * s.alpha;
-  return Layer(covers * lightOf(s, direction), 1.0 - covers);
+  bool traced = false;
+#if defined(REFLECTIONS) && !defined(LAST_GENERATION)
+  traced = s.reflectivity > frame.minReflectivity && path.media < reflections;
+  if (traced) {
+    path.throughput *= covers * reflectionShare(s.f0, s.roughness, -dot(s.normal, direction));
+    path.kindAndSample = RAY_REFLECTION;
+    ++path.media;
+    sendOn(Ray(s.position, FAR_AWAY, reflect(direction, s.normal), triangle), path);
+  }
+#endif
+  return Layer(covers * lightOf(s, direction, traced), 1.0 - covers);
 }
 #endif
 
@@ -77,12 +89,13 @@ void main() {
   // The method says which triangle it is, and all methods then see the same point of it.
   TrianglePoint point = pointOnTriangle(hit.triangle, ray.origin, ray.direction);
   path.pathLength += dot(point.relative, ray.direction);
-  Layer layer = layerOf(hit.triangle, point, ray.direction, path.pathLength);
+  Layer layer = layerOf(hit.triangle, point, ray.direction, path);
   vec3 light = path.throughput * layer.light;
   path.throughput *= layer.passes;
 #ifdef LAST_GENERATION
   light += path.throughput * skyRadiance(ray.direction, 0.0);
 #else
+  path.kindAndSample = RAY_THROUGH;
   if (layer.passes > 0.0) sendOn(Ray(point.position, FAR_AWAY, ray.direction, hit.triangle), path);
 #endif
   addLight(path.pixel, light);
