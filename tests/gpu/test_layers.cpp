@@ -14,21 +14,13 @@ namespace {
 
 using glm::vec3;
 
-class LayersTest : public TracingTest {
+class LayersTest : public WitnessTest {
  protected:
   static Settings settings(std::initializer_list<std::pair<const char*, const char*>> more = {}) {
     Settings result = settingsWith({{"trace.effect", "layers"}, {"select.mode", "all"}});
     for (const auto& [name, value] : more) set(result, name, value);
     return result;
   }
-
-  std::vector<Method> methods(const Scene& scene) const override {
-    std::vector<Method> all = TracingTest::methods(scene);
-    all.push_back(witnessedMethod("identity", all.front(), *counts_));
-    return all;
-  }
-
-  std::unique_ptr<Witnesses> counts_ = std::make_unique<Witnesses>();
 };
 
 Material glowing(const glm::vec4& color) {

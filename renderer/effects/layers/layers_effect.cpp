@@ -13,8 +13,8 @@ bool reflects(const Settings& settings) { return settings.effect.transfer == Tra
 
 }  // namespace
 
-int LayersEffect::batches(const GBuffer& gbuffer, const Settings& settings, std::uint32_t maxRays) const {
-  return cameraBatches(gbuffer, reflects(settings) ? kRaysPerPixel : 1, maxRays);
+int LayersEffect::batches(const FrameView& view, const Settings& settings, std::uint32_t maxRays) const {
+  return cameraBatches(view.gbuffer, reflects(settings) ? kRaysPerPixel : 1, maxRays);
 }
 
 const gl::Program& LayersEffect::shading(const GpuScene& scene, bool camera, bool last, Transfer transfer) {

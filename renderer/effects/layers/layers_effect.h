@@ -14,7 +14,7 @@ class LayersEffect final : public RayEffect {
  public:
   explicit LayersEffect(const gl::Api& api) : api_(&api), camera_(api) {}
 
-  int batches(const GBuffer& gbuffer, const Settings& settings, std::uint32_t maxRays) const override;
+  int batches(const FrameView& view, const Settings& settings, std::uint32_t maxRays) const override;
   int generations(const Settings& settings) const override { return settings.effect.layers; }
   bool bringsAllLight() const override { return true; }
   bool startsAtCamera() const override { return true; }

@@ -1,4 +1,4 @@
-// A ray that nothing stops brings light of 1.
+// A ray that nothing stops brings light of 1; one that was given up, none.
 #include "effects/common/light_sums.glsl"
 #include "shared/bindings.h"
 #include "shared/structs.h"
@@ -11,6 +11,6 @@ layout(std430, binding = SSBO_HITS) readonly buffer HitBlock { Hit hits[]; };
 
 void main() {
   uint index = (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * gl_WorkGroupSize.x + gl_LocalInvocationID.x;
-  if (index >= rayCount.count || hits[index].triangle != NO_TRIANGLE) return;
+  if (index >= rayCount.count || hits[index].t != HIT_MISS) return;
   addLight(paths[index].pixel, paths[index].throughput);
 }
