@@ -12,6 +12,13 @@ std::size_t Frame::bytes() const {
   return sum;
 }
 
+void Frame::forgetRays() {
+  effect = {};
+  batches.clear();
+  queues = {};
+  hits = {};
+}
+
 void FrameRecord::begin() {
   profiler_.discard();
   readback_.clear();

@@ -42,6 +42,7 @@ struct Frame {
   std::array<RayQueue, 2> queues;
   Hits hits;  // of later generations
 
+  void forgetRays();
   std::size_t bytes() const;
 };
 

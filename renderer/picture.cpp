@@ -101,7 +101,8 @@ void Picture::show(const FrameView& view, const Frame& frame, const gl::Buffer& 
   if (frame.use.kind == PictureUse::Kind::temporal) {
     using Past = TemporalPass::Past;
     temporal_.begin(view);
-    if (previousPositions && frame.host.allLight == 0 && frame.host.glossySamples == 0)  // none if a frame of another kind has begun since
+    if (previousPositions && frame.host.allLight == 0 &&
+        frame.host.glossySamples == 0)  // none if a frame of another kind has begun since
       for (const RayBatch& batch : frame.batches) temporal_.follow(view, batch, previousPositions);
     temporal_.run(view, frame.use.first ? Past::none : frame.use.still ? Past::still : Past::moving);
     display_.run(view, joined(), DisplayPass::Output::display, target);

@@ -50,6 +50,9 @@ void Renderer::Impl::drawShadows(const Settings& wanted, gl::Profiler& profiler)
 void Renderer::Impl::useEffect(Effect wanted) {
   if (effectName == wanted) return;
   effectName.reset();
+  // What belongs to the rays of another effect has other sizes.
+  for (Frame& frame : frames) frame.forgetRays();
+  shown.reset();
   effect = makeEffect(api, wanted);
   effectName = wanted;
 }
@@ -158,10 +161,11 @@ void Renderer::Impl::start(const Work& work, const Camera& camera, const Setting
   constants.blends = effect->blends() ? 1 : 0;
   constants.firstPass = use.passes.first;
   constants.traces = static_cast<std::uint32_t>(effect->generations(wanted) - (effect->startsAtCamera() ? 1 : 0));
-  constants.traces *= use.passes.count;
+  if (effect->bringsAllLight()) constants.traces *= use.passes.count;
   if (shown == work.frame) shown.reset();
   frame.use = use;
   frame.passes = use.passes;
+  if (!effect->bringsAllLight()) frame.passes = {.first = use.passes.first};  // what is blended is not summed
   frame.settings = wanted;
   frame.host = constants;
   if (!frame.constants) frame.constants = gl::Buffer(api, sizeof(frame.host), "frame constants");

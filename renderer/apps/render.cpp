@@ -124,10 +124,25 @@ void checkBudget(const char* option, const std::optional<double>& limit) {
     throw Error(ErrorKind::usage, std::string(option) + " must be a number greater than 0");
 }
 
+// What the effect has to do with the request.
+void checkPasses(const RenderRequest& request, const Settings& settings) {
+  const bool reflects = settings.trace.effect == Effect::reflection;
+  if (reflects && (request.passes || request.progressEvery))
+    throw Error(ErrorKind::usage,
+                "--passes and --progress-every need an effect of several passes (trace.effect); --samples refines "
+                "reflections");
+  if (!reflects && (request.budgetMilliseconds || request.budgetMegabytes))
+    throw Error(ErrorKind::usage, "budgets need trace.effect=reflection, whose least visible rays can go");
+  if (request.progressEvery && settings.image.antialiasing == Antialiasing::temporal)
+    throw Error(ErrorKind::usage, "--progress-every cannot be combined with image.antialiasing=temporal");
+}
+
 // Shows how many passes of a picture are done, and writes what there is if it is asked for.
 PassSteps passSteps(const RenderRequest& request, RenderJob& job, Progress& progress) {
   constexpr int kSteps = 50;  // of progress that is only told
-  const int all = job.statistics.settings.effect.passes;
+  const Settings& settings = job.statistics.settings;
+  if (settings.trace.effect == Effect::reflection || settings.image.antialiasing == Antialiasing::temporal) return {};
+  const int all = settings.effect.passes;
   const bool writes = request.progressEvery.has_value();
   return {.every = request.progressEvery.value_or((all + kSteps - 1) / kSteps),
           .shown = [&request, &job, &progress, all, writes](int done) {
@@ -168,7 +183,7 @@ void renderPicture(const RenderRequest& request, const ViewArguments& arguments,
   RenderJob job(request.view, arguments, settings, std::move(view), progress, clock);
   RunStatistics& statistics = job.statistics;
 
-  const bool once = request.samples > 1 || settings.effect.passes > 1;
+  const bool once = request.samples > 1 || (settings.effect.passes > 1 && settings.trace.effect != Effect::reflection);
   const int repeat = request.repeat.value_or(request.outputs.stats.empty() || once ? 0 : 1);
   statistics.samples = request.samples;
   Frames(job.renderer, camera, job.target.target(), request, statistics)
@@ -193,6 +208,7 @@ void render(const RenderRequest& request) {
   Settings settings = baseSettings(request.view);
   applyOverrides(settings, request.view);
   if (request.passes) set(settings, "effect.passes", std::to_string(*request.passes));
+  checkPasses(request, settings);
   if (range && settings.image.antialiasing == Antialiasing::temporal)
     throw Error(
         ErrorKind::usage,

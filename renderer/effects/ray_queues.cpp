@@ -36,7 +36,8 @@ int bandCount(const GBuffer& gbuffer, std::uint32_t maxPixels) {
 }
 
 void reserveQueue(const gl::Api& api, std::uint32_t rays, RayStorage storage, RayQueue& queue) {
-  if (queue.capacity >= rays && queue.ofPixels() == (storage == RayStorage::pixels)) return;
+  const bool fits = queue.capacity >= rays && queue.capacity / 2 <= rays;  // what is far too large goes, too
+  if (fits && queue.ofPixels() == (storage == RayStorage::pixels)) return;
   queue = RayQueue{};  // the old memory goes before the new comes
   if (storage == RayStorage::rays) {
     queue.rays = gl::Buffer(api, rays * sizeof(shared::Ray), "rays");

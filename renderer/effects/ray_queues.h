@@ -22,7 +22,7 @@ int bandCount(const GBuffer& gbuffer, std::uint32_t maxPixels);
 
 enum class RayStorage { pixels, rays };
 
-// Makes room for that many rays. What a queue held is lost if it grows.
+// Makes room for that many rays, and at most about twice as many. What a queue held is lost if it changes.
 void reserveQueue(const gl::Api& api, std::uint32_t rays, RayStorage storage, RayQueue& queue);
 // Before a dispatch appends rays. Counts for the whole frame stay.
 void beginQueue(RayQueue& queue);

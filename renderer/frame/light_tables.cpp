@@ -39,7 +39,9 @@ Cells cellsOf(const Sky& sky) {
     }
     return cells;
   }
-  Cells cells{std::min(sky.imageHeight, kMaxRows), std::min(sky.imageWidth, kMaxColumns), {}};
+  // Rows of an image are densest at the horizon: no cell may lie between two.
+  const int rows = std::clamp(static_cast<int>(2 * sky.imageHeight / glm::pi<double>()), 1, kMaxRows);
+  Cells cells{rows, std::min(sky.imageWidth, kMaxColumns), {}};
   cells.light.assign(static_cast<std::size_t>(cells.rows) * static_cast<std::size_t>(cells.columns), 0);
   for (int y = 0; y < sky.imageHeight; ++y) {
     const double angle = glm::pi<double>() * (y + 0.5) / sky.imageHeight;
@@ -76,7 +78,7 @@ LightTable makeEmitters(const gl::Api& api, const Scene& scene) {
   std::vector<double> light;
   for (std::size_t t = 0; t < scene.triangles.size(); ++t) {
     const Material& material = scene.materials[scene.triangles[t].material];
-    const double bright = material.unlit ? 0 : brightness(material.emissive);
+    const double bright = material.unlit && !material.mirror ? 0 : brightness(material.emissive);
     if (!(bright > 0)) continue;
     const auto corner = [&](std::size_t i) {
       return glm::dvec3(scene.vertices[scene.triangles[t].vertices[i]].position);

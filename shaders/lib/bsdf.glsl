@@ -131,7 +131,11 @@ Scattering scatterGlass(Bsdf b, Surface s, float eta, vec2 numbers, float choice
     l = border.refracted;
   vec3 weight = passes ? b.tint : vec3(1.0);
   if (passes == (l.z > 0.0)) weight = vec3(0.0);
-  if (!smoothLobe(alpha))
+  // A thin wall passes the mirror image of what it reflects, so it loses what a reflecting surface does.
+  vec2 energy = energyOf(b.v.z, sqrt(alpha), 0.0);
+  if (s.thin && !smoothLobe(alpha))
+    weight *= ggxMaskingShadowing(b.v.z, abs(l.z), alpha) / (ggxMasking(b.v.z, alpha) * max(energy.x + energy.y, 1e-3));
+  else if (!smoothLobe(alpha))
     weight *= ggxMasking(abs(l.z), alpha) / max(boundaryEnergy(b.v.z, sqrt(alpha), eta), 1e-3);
   vec3 direction = normalize(l.x * b.x + l.y * b.y + l.z * s.normal);
   if (passes == (dot(direction, s.geometricNormal) > 0.0)) weight = vec3(0.0);

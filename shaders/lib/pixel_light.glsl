@@ -31,15 +31,12 @@ vec4 neighbors(ivec2 pixel, vec4 position, vec3 normal) {
 }
 
 PixelLight pixelLight(ivec2 pixel) {
-  if (frame.allLight != 0u) {
-    vec4 traced = texelFetch(gReflection, pixel, 0);
-    return PixelLight(traced.a > 0.0 ? traced.rgb : texelFetch(gShaded, pixel, 0).rgb, vec3(0.0));
-  }
+  vec4 traced = texelFetch(gReflection, pixel, 0);
+  if (frame.allLight != 0u && traced.a > 0.0) return PixelLight(traced.rgb, vec3(0.0));
   vec4 position = texelFetch(gPosition, pixel, 0);
   vec3 normal = texelFetch(gNormal, pixel, 0).xyz;
   Blend blend = blendOf(pixel, position, normal);
   if (blend.share == vec3(0.0)) return PixelLight(blend.base, vec3(0.0));
-  vec4 traced = texelFetch(gReflection, pixel, 0);
-  if (traced.a <= 0.0 && frame.fill == FILL_NEIGHBORS) traced = neighbors(pixel, position, normal);
+  if (traced.a <= 0.0 && frame.allLight == 0u && frame.fill == FILL_NEIGHBORS) traced = neighbors(pixel, position, normal);
   return PixelLight(blend.base, blend.share * (traced.a > 0.0 ? traced.rgb : blend.sky));
 }

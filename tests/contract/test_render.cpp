@@ -385,7 +385,8 @@ TEST(Passes, GiveTheSamePictureInOneFrameOrInSeveral) {
 
 TEST(Passes, AreWrittenOnlyOfASinglePicture) {
   const TemporaryFolder folder;
-  for (const char* wrong : {"--passes 0", "--progress-every 2 --samples 4", "--progress-every 2 --repeat 3"}) {
+  for (const char* wrong :
+       {"--passes 0", "--passes 4", "--progress-every 2 --samples 4", "--progress-every 2 --repeat 3"}) {
     const ProgramResult result = runProgramIn(folder, kQuickSphere + "-o a.png " + wrong);
     EXPECT_EQ(result.exitCode, 2) << wrong;
     EXPECT_NE(result.err.find(std::string(wrong).substr(0, 6)), std::string::npos) << result.err;

@@ -12,7 +12,7 @@ namespace {
 using glm::vec4;
 
 constexpr const char* kScatter = R"(
-  vec4 a = inputs[2 * item], b = inputs[2 * item + 1];  // metallic, roughness, coat, its roughness; transmission, cosine, eta
+  vec4 a = inputs[2 * item], b = inputs[2 * item + 1];  // metallic, roughness, coat, its roughness; transmission, cosine, eta (negative: thin)
   Surface s;
   s.position = vec3(0.0);
   s.geometricNormal = s.normal = s.coatNormal = vec3(0.0, 0.0, 1.0);
@@ -28,13 +28,14 @@ constexpr const char* kScatter = R"(
   s.coat = a.z;
   s.coatRoughness = a.w;
   s.transmission = b.x;
-  s.ior = b.z;
+  s.ior = abs(b.z);
+  s.thin = b.z < 0.0;
   Bsdf bsdf = makeBsdf(s, vec3(sqrt(1.0 - b.y * b.y), 0.0, b.y));
   float sum = 0.0, passed = 0.0, density = 0.0;
   const uint COUNT = 4000u;
   for (uint i = 0u; i < COUNT; ++i) {
     vec4 numbers = fract(0.5 + (float(i) + b.w * float(COUNT)) * vec4(0.8566749, 0.7338919, 0.6287067, 0.5385973));
-    Scattering next = scatter(bsdf, s, b.z, numbers.xy, numbers.zw);
+    Scattering next = scatter(bsdf, s, abs(b.z), numbers.xy, numbers.zw);
     sum += next.weight.g;
     if (next.passes) passed += next.weight.g;
     // A density over the half sphere, summed over even directions, is the chance that one is chosen.
@@ -71,7 +72,7 @@ TEST_F(BsdfTest, WhiteSurfacesGiveBackWhatTheyReceive) {
     for (const float roughness : {0.0f, 0.15f, 0.4f, 0.7f, 1.0f})
       for (const float coat : {0.0f, 0.6f, 1.0f})
         for (const float transmission : {0.0f, 0.5f, 1.0f})
-          for (const float eta : {1.5f, 1 / 1.5f, 1.2f, 2.3f, 1 / 2.3f})
+          for (const float eta : {1.5f, 1 / 1.5f, 1.2f, 2.3f, 1 / 2.3f, -1.5f})
             for (const float cosine : {1.0f, 0.7f, 0.4f, 0.15f}) {
               surfaces.emplace_back(metallic, roughness, coat, 0.3f);
               surfaces.emplace_back(transmission, cosine, eta, 0);

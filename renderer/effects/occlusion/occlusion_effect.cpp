@@ -16,7 +16,8 @@ void OcclusionEffect::shade(const FrameView& view, const Settings& settings, con
   const auto section = view.profiler.section("shade");
   const auto samples = static_cast<std::uint32_t>(settings.effect.samples);
   const gl::Program& program = step.generation == 0 ? scatter_ : gather_;
-  camera_.bind(program, view, frame, rays, step, next, rays.capacity * samples);
+  camera_.bind(program, view, frame, rays, step, next,
+               bandOf(view.gbuffer, step.batch, frame.batches).pixels * samples);
   view.scene.bindTriangles();
   if (step.generation == 0) {
     program.set("firstSample", step.pass * samples);

@@ -35,9 +35,8 @@ void PathEffect::shade(const FrameView& view, const Settings& settings, const Ra
   const GpuScene& scene = view.scene;
   const auto samples = static_cast<std::uint32_t>(settings.effect.samples);
   const gl::Program& program = shading(scene, step.generation == 0, next == nullptr);
-  const std::uint32_t perPixel = kRaysPerSample * samples;
   // Later generations have no more paths than the first sent on.
-  const std::uint32_t room = step.generation == 0 ? rays.capacity * perPixel : rays.capacity;
+  const std::uint32_t room = bandOf(view.gbuffer, step.batch, frame.batches).pixels * kRaysPerSample * samples;
   camera_.bind(program, view, frame, rays, step, next, room);
   program.set("generation", static_cast<unsigned>(step.generation));
   program.set("firstSample", step.pass * samples);

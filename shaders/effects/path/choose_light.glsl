@@ -62,6 +62,7 @@ float skyDensity(vec3 direction) {
 
 // Density of choosing the point of an emitter that a ray has found.
 float emitterDensity(uint triangle, vec3 direction, float distance) {
+  if (emitterCount == 0u) return 0.0;
   uint low = 0u, high = emitterCount - 1u;
   while (low < high) {
     uint middle = (low + high) / 2u;
