@@ -86,7 +86,7 @@ class Renderer {
   // A frame in two halves. begin() draws all that needs no hits and starts the rays; finish() ends the oldest frame
   // that was begun. Up to two may be under way, so that a tracer on the CPU can work beside the GPU; each has memory of
   // its own. The scene must not change between the two, and the target has the size that begin() was given. Settings
-  // that make another tracer (its method or what that reads) or other shadow maps wait until no frame is under way.
+  // that make another tracer (its method or what that reads), effect or shadow maps wait until no frame is under way.
   // Throw Error (usage) otherwise.
   // A frame whose finish() throws is dropped. With two under way, figures of structures are those of the latest build.
   void begin(const Camera& camera, const Settings& settings, int width, int height);
