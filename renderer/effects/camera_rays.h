@@ -39,6 +39,32 @@ class CameraRays {
   std::vector<gl::Buffer> sums_;  // LightSum per pixel of the band, by batch
 };
 
+// An effect of such rays.
+class CameraEffect : public RayEffect {
+ public:
+  explicit CameraEffect(const gl::Api& api) : camera_(api) {}
+
+  bool bringsAllLight() const final { return true; }
+  bool startsAtCamera() const final { return true; }
+  void spawn(const FrameView& view, int batch, int batches, RayQueue& out, EffectFrame& frame) final {
+    camera_.spawn(view, batch, batches, out, frame);
+  }
+  void firstHits(const FrameView& view, const RayQueue& rays, Hits& hits) final { camera_.firstHits(view, rays, hits); }
+  void resolve(const FrameView& view, const Settings& settings, const RayQueue& first, const RayPasses& passes,
+               int batch, EffectFrame& frame, GBuffer& gbuffer) final {
+    camera_.resolve(view, frame, first, passes, samplesPerPass(settings), batch, gbuffer);
+  }
+  std::uint64_t bytes() const override { return camera_.bytes(); }
+
+ protected:
+  CameraRays& cameraRays() { return camera_; }
+  // Of a pixel.
+  virtual int samplesPerPass(const Settings&) const { return 1; }
+
+ private:
+  CameraRays camera_;
+};
+
 // Batches of which none sends more than `maxRays` at once if a pixel sends at most `raysPerPixel`.
 int cameraBatches(const GBuffer& gbuffer, std::uint32_t raysPerPixel, std::uint32_t maxRays);
 

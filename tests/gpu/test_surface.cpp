@@ -153,7 +153,8 @@ TEST(PackMaterial, FlagsSayWhichLayersAndTexturesThereAre) {
     return packMaterial(material, false, {}, std::vector<std::uint32_t>{0}).flags;
   };
   Material material = layered();
-  EXPECT_EQ(flags(material), MATERIAL_TRANSMISSIVE | MATERIAL_COATED);
+  // A ray inside a volume meets the backs of its walls; a thin wall has none.
+  EXPECT_EQ(flags(material), MATERIAL_TRANSMISSIVE | MATERIAL_COATED | MATERIAL_DOUBLE_SIDED);
   material.thickness = 0;
   EXPECT_EQ(flags(material), MATERIAL_TRANSMISSIVE | MATERIAL_THIN | MATERIAL_COATED);
   material.transmissionTexture.texture = 0;

@@ -37,7 +37,7 @@ void LayersEffect::shade(const FrameView& view, const Settings& settings, const 
   const bool reflections = reflects(settings);
   // The camera's queue has a ray per pixel, and later ones have the room that the first of them got.
   const std::uint32_t room = step.generation == 0 && reflections ? kRaysPerPixel * rays.capacity : rays.capacity;
-  camera_.bind(program, view, frame, rays, step, next, room);
+  cameraRays().bind(program, view, frame, rays, step, next, room);
   program.set("opacity", reflections ? 1.0f : settings.effect.opacity);
   if (reflections && next) program.set("reflections", static_cast<unsigned>(settings.trace.bounces));
   view.scene.bindSurfaces();
@@ -45,7 +45,7 @@ void LayersEffect::shade(const FrameView& view, const Settings& settings, const 
   view.scene.sky.bind(UNIT_SKY);
   hits.hits.bindStorage(SSBO_HITS);
   program.use();
-  camera_.dispatch(rays, next);
+  cameraRays().dispatch(rays, next);
 }
 
 }  // namespace halfsilver

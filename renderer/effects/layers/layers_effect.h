@@ -10,35 +10,21 @@ namespace halfsilver {
 
 // Ray casting through all layers (Hu et al. 2014, section 4, figure 1a): the camera's rays go on behind each surface
 // that they meet, which adds to the light from behind it and dims it by effect.transfer.
-class LayersEffect final : public RayEffect {
+class LayersEffect final : public CameraEffect {
  public:
-  explicit LayersEffect(const gl::Api& api) : api_(&api), camera_(api) {}
+  explicit LayersEffect(const gl::Api& api) : CameraEffect(api), api_(&api) {}
 
   int batches(const FrameView& view, const Settings& settings, std::uint32_t maxRays) const override;
   int generations(const Settings& settings) const override { return settings.effect.layers; }
-  bool bringsAllLight() const override { return true; }
-  bool startsAtCamera() const override { return true; }
   bool blends() const override { return true; }
-  void spawn(const FrameView& view, int batch, int batches, RayQueue& out, EffectFrame& frame) override {
-    camera_.spawn(view, batch, batches, out, frame);
-  }
-  void firstHits(const FrameView& view, const RayQueue& rays, Hits& hits) override {
-    camera_.firstHits(view, rays, hits);
-  }
   // Section "shade".
   void shade(const FrameView& view, const Settings& settings, const RayQueue& rays, const Hits& hits,
              const RayStep& step, RayQueue* next, EffectFrame& frame) override;
-  void resolve(const FrameView& view, const Settings&, const RayQueue& first, const RayPasses& passes, int batch,
-               EffectFrame& frame, GBuffer& gbuffer) override {
-    camera_.resolve(view, frame, first, passes, 1, batch, gbuffer);
-  }
-  std::uint64_t bytes() const override { return camera_.bytes(); }
 
  private:
   const gl::Program& shading(const GpuScene& scene, bool camera, bool last, Transfer transfer);
 
   const gl::Api* api_;
-  CameraRays camera_;
   std::optional<SurfacePrograms> shade_[2][2][3];  // made on first use: [the camera's hits][the last layer][Transfer]
 };
 

@@ -3,7 +3,7 @@
 namespace halfsilver {
 
 OcclusionEffect::OcclusionEffect(const gl::Api& api)
-    : camera_(api),
+    : CameraEffect(api),
       scatter_(gl::Program::compute(api, "effects/occlusion/scatter.comp")),
       gather_(gl::Program::compute(api, "effects/occlusion/gather.comp")) {}
 
@@ -16,15 +16,15 @@ void OcclusionEffect::shade(const FrameView& view, const Settings& settings, con
   const auto section = view.profiler.section("shade");
   const auto samples = static_cast<std::uint32_t>(settings.effect.samples);
   const gl::Program& program = step.generation == 0 ? scatter_ : gather_;
-  camera_.bind(program, view, frame, rays, step, next,
-               bandOf(view.gbuffer, step.batch, frame.batches).pixels * samples);
+  cameraRays().bind(program, view, frame, rays, step, next,
+                bandOf(view.gbuffer, step.batch, frame.batches).pixels * samples);
   view.scene.bindTriangles();
   if (step.generation == 0) {
     program.set("firstSample", step.pass * samples);
   } else {
     hits.hits.bindStorage(SSBO_HITS);
   }
-  camera_.dispatch(rays, next);
+  cameraRays().dispatch(rays, next);
 }
 
 }  // namespace halfsilver

@@ -12,7 +12,7 @@ constexpr int kFirstEnd = 3;                 // generation from which paths may 
 
 }  // namespace
 
-PathEffect::PathEffect(const gl::Api& api) : api_(&api), camera_(api), energy_(api) {}
+PathEffect::PathEffect(const gl::Api& api) : CameraEffect(api), api_(&api), energy_(api) {}
 
 int PathEffect::batches(const FrameView& view, const Settings& settings, std::uint32_t maxRays) const {
   return cameraBatches(view.gbuffer, kRaysPerSample * static_cast<std::uint32_t>(settings.effect.samples), maxRays);
@@ -37,7 +37,7 @@ void PathEffect::shade(const FrameView& view, const Settings& settings, const Ra
   const gl::Program& program = shading(scene, step.generation == 0, next == nullptr);
   // Later generations have no more paths than the first sent on.
   const std::uint32_t room = bandOf(view.gbuffer, step.batch, frame.batches).pixels * kRaysPerSample * samples;
-  camera_.bind(program, view, frame, rays, step, next, room);
+  cameraRays().bind(program, view, frame, rays, step, next, room);
   program.set("generation", static_cast<unsigned>(step.generation));
   program.set("firstSample", step.pass * samples);
   program.set("roulette", settings.effect.roulette ? static_cast<unsigned>(kFirstEnd) : 0u);
@@ -53,7 +53,7 @@ void PathEffect::shade(const FrameView& view, const Settings& settings, const Ra
   scene.skyTable.sums.bind(UNIT_SKY_TABLE);
   energy_.bind();
   program.use();
-  camera_.dispatch(rays, next);
+  cameraRays().dispatch(rays, next);
 }
 
 }  // namespace halfsilver

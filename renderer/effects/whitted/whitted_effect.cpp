@@ -18,7 +18,7 @@ std::uint32_t raysPerPixel(const FrameView& view) { return 6 + 3 * view.frame.di
 
 }  // namespace
 
-WhittedEffect::WhittedEffect(const gl::Api& api) : api_(&api), camera_(api) {}
+WhittedEffect::WhittedEffect(const gl::Api& api) : CameraEffect(api), api_(&api) {}
 
 int WhittedEffect::batches(const FrameView& view, const Settings&, std::uint32_t maxRays) const {
   return cameraBatches(view.gbuffer, raysPerPixel(view), maxRays);
@@ -48,7 +48,7 @@ void WhittedEffect::shade(const FrameView& view, const Settings& settings, const
   const std::uint64_t wanted = std::uint64_t{rays.capacity} * raysPerPixel(view);
   const std::uint64_t most = static_cast<std::uint64_t>(api_->limits.storageBlockBytes) / sizeof(shared::Ray);
   const auto room = camera ? static_cast<std::uint32_t>(std::min(wanted, most)) : rays.capacity;
-  camera_.bind(program, view, frame, rays, step, next, room);
+  cameraRays().bind(program, view, frame, rays, step, next, room);
   program.set("pass", step.pass);
   program.set("endsHere", step.generation >= settings.trace.bounces ? 1u : 0u);
   view.scene.bindSurfaces();
@@ -56,7 +56,7 @@ void WhittedEffect::shade(const FrameView& view, const Settings& settings, const
   view.scene.sky.bind(UNIT_SKY);
   hits.hits.bindStorage(SSBO_HITS);
   if (surfaces) hits.surfaces.bindStorage(SSBO_HIT_SURFACES);
-  camera_.dispatch(rays, next);
+  cameraRays().dispatch(rays, next);
 }
 
 }  // namespace halfsilver

@@ -10,35 +10,21 @@ namespace halfsilver {
 
 // Whitted 1980, "An Improved Illumination Model for Shaded Display" (Hu et al. 2014, section 4): at each surface rays
 // to all lights, one that is reflected and one that is refracted, to the depth trace.bounces.
-class WhittedEffect final : public RayEffect {
+class WhittedEffect final : public CameraEffect {
  public:
   explicit WhittedEffect(const gl::Api& api);
 
   int batches(const FrameView& view, const Settings&, std::uint32_t maxRays) const override;
   int generations(const Settings& settings) const override;
-  bool bringsAllLight() const override { return true; }
-  bool startsAtCamera() const override { return true; }
   bool showsLayers() const override { return true; }
-  void spawn(const FrameView& view, int batch, int batches, RayQueue& out, EffectFrame& frame) override {
-    camera_.spawn(view, batch, batches, out, frame);
-  }
-  void firstHits(const FrameView& view, const RayQueue& rays, Hits& hits) override {
-    camera_.firstHits(view, rays, hits);
-  }
   // Section "shade".
   void shade(const FrameView& view, const Settings& settings, const RayQueue& rays, const Hits& hits,
              const RayStep& step, RayQueue* next, EffectFrame& frame) override;
-  void resolve(const FrameView& view, const Settings&, const RayQueue& first, const RayPasses& passes, int batch,
-               EffectFrame& frame, GBuffer& gbuffer) override {
-    camera_.resolve(view, frame, first, passes, 1, batch, gbuffer);
-  }
-  std::uint64_t bytes() const override { return camera_.bytes(); }
 
  private:
   const gl::Program& shading(const GpuScene& scene, bool camera, bool surfaces, bool last);
 
   const gl::Api* api_;
-  CameraRays camera_;
   std::optional<SurfacePrograms> shade_[2][2][2];  // made on first use: [the camera's hits][with HitSurface][last]
 };
 
