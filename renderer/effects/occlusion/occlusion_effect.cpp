@@ -17,7 +17,7 @@ void OcclusionEffect::shade(const FrameView& view, const Settings& settings, con
   const auto samples = static_cast<std::uint32_t>(settings.effect.samples);
   const gl::Program& program = step.generation == 0 ? scatter_ : gather_;
   cameraRays().bind(program, view, frame, rays, step, next,
-                bandOf(view.gbuffer, step.batch, frame.batches).pixels * samples);
+                    bandOf(view.gbuffer, step.batch, frame.batches).pixels * samples);
   view.scene.bindTriangles();
   if (step.generation == 0) {
     program.set("firstSample", step.pass * samples);
