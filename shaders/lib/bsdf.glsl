@@ -13,7 +13,6 @@
 
 layout(binding = UNIT_ENERGY) uniform sampler3D energyTable;
 
-const float SMOOTH_ALPHA = 1e-3;  // below: a mirror
 const float COAT_F0 = 0.04;
 
 vec2 energyOf(float cosine, float roughness, float slice) {
@@ -59,8 +58,6 @@ struct Bsdf {
   // How often each is chosen.
   float chooseCoat, chooseSpecular, chooseDiffuse, chooseGlass;
 };
-
-bool smoothLobe(float alpha) { return alpha < SMOOTH_ALPHA; }
 
 Bsdf makeBsdf(Surface s, vec3 toEye) {
   Bsdf b;

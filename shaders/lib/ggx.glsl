@@ -1,5 +1,8 @@
 // The GGX distribution of microfacets with Smith's shadowing, around z: Walter et al. 2007, Heitz 2014.
 
+// Narrower lobes are mirrors.
+bool smoothLobe(float alpha) { return alpha < 1e-3; }
+
 float ggxDistribution(float hz, float alpha) {
   float a2 = alpha * alpha, d = hz * hz * (a2 - 1.0) + 1.0;
   return a2 / (3.14159265358979 * d * d);

@@ -14,8 +14,6 @@ layout(std430, binding = SSBO_NEXT_RAYS) writeonly buffer NextRayBlock { Ray nex
 layout(std430, binding = SSBO_NEXT_PATHS) writeonly buffer NextPathBlock { RayPath nextPaths[]; };
 layout(std430, binding = SSBO_NEXT_COUNT) buffer NextCountBlock { RayCount nextCount; };
 
-const float SMOOTH_ALPHA = 1e-3;  // below: a mirror
-
 void main() {
   uint index = (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * gl_WorkGroupSize.x + gl_LocalInvocationID.x;
   if (index >= rayCount.count) return;
@@ -36,7 +34,7 @@ void main() {
   vec3 facing = fresnelSchlick(material.rgb, v.z);  // what the blend scales the mean by
   for (uint i = 0u; i < frame.glossySamples; ++i) {
     vec3 weight = vec3(1.0);
-    if (alpha >= SMOOTH_ALPHA) {
+    if (!smoothLobe(alpha)) {
       vec3 h = ggxVisibleNormal(v, alpha, sample2(number, frame.firstPass * frame.glossySamples + i, 0u));
       vec3 l = reflect(-v, h);
       weight = fresnelSchlick(material.rgb, dot(v, h)) / max(facing, vec3(1e-4)) *
