@@ -51,7 +51,8 @@ Cells cellsOf(const Sky& sky) {
       const std::size_t texel =
           3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(sky.imageWidth) + static_cast<std::size_t>(x));
       const double light = brightness({sky.image[texel], sky.image[texel + 1], sky.image[texel + 2]});
-      const auto cell = static_cast<std::size_t>(row * cells.columns + column);
+      const std::size_t cell =
+          static_cast<std::size_t>(row) * static_cast<std::size_t>(cells.columns) + static_cast<std::size_t>(column);
       if (std::isfinite(light)) cells.light[cell] += light * std::sin(angle);
     }
   }
