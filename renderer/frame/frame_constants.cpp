@@ -141,6 +141,10 @@ shared::FrameConstants makeFrameConstants(const Camera& camera, const Bounds& bo
   frame.effectSamples = static_cast<std::uint32_t>(settings.effect.samples);
   const bool glossy = settings.effect.glossy && settings.trace.effect == Effect::reflection;
   frame.glossySamples = glossy ? static_cast<std::uint32_t>(settings.effect.samples) : 0;
+  frame.roulette = settings.effect.roulette ? 1 : 0;
+  frame.layerOpacity = settings.effect.transfer == Transfer::blend ? 1 : settings.effect.opacity;
+  frame.transfer = static_cast<std::uint32_t>(settings.effect.transfer);
+  frame.bounces = static_cast<std::uint32_t>(settings.trace.bounces);
   frame.occlusionRadius = settings.effect.radius > 0 ? settings.effect.radius : FAR_AWAY;
   frame.jitter = jitter;
   return frame;

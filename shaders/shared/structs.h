@@ -156,14 +156,18 @@ struct FrameConstants {
   uint skyDirections;
   uint hemispheres;
   vec2 jitter;  // of the sample, from the pixel's center, pixels
-  uint effect;
+  uint effect;    // Effect
   uint allLight;  // 1: what rays bring to a pixel is all of its light
   uint effectSamples;
   uint firstPass;         // RayPasses::first: equal constants make equal rays
   float occlusionRadius;  // meters; FAR_AWAY: none is too far
   uint glossySamples;     // reflected rays per pixel; 0: one, as from a mirror
   uint blends;            // 1: surfaces of MATERIAL_BLEND are met wherever they are not quite clear
-  uint padding1;
+  uint roulette;          // 1: paths that carry little light end by chance
+  float layerOpacity;     // of a surface that is seen straight on
+  uint transfer;          // Transfer, of layers
+  uint bounces;           // trace.bounces
+  uint padding0;
 };
 
 #endif

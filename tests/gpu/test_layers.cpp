@@ -271,5 +271,18 @@ TEST_F(LayersTest, NoRayOfTheDefaultMethodIsWrong) {
   }
 }
 
+// Other settings of the effect make other rays, which may need what no ray has asked for so far.
+TEST_F(LayersTest, AFrameDoesNotCountOnTheRaysOfOtherSettings) {
+  const Scene scene = soup(300);
+  const Settings opaque = settings({{"effect.transfer", "xray"}, {"effect.opacity", "1"}});
+  const Settings clear = settings({{"effect.transfer", "xray"}, {"effect.opacity", "0.2"}});
+  Renderer renderer = makeRenderer(scene);
+  for (int frame = 0; frame < 3; ++frame) drawWith(renderer, kAbove, opaque, 48, 36);
+  const Frame after = drawWith(renderer, kAbove, clear, 48, 36);
+  EXPECT_EQ(after.report.overflow, 0u);
+  EXPECT_GT(after.report.rays[RAY_THROUGH], 500u);
+  EXPECT_EQ(after.plane("R"), draw(scene, kAbove, clear, 48, 36).plane("R"));
+}
+
 }  // namespace
 }  // namespace halfsilver::testing

@@ -38,8 +38,6 @@ void LayersEffect::shade(const FrameView& view, const Settings& settings, const 
   // The camera's queue has a ray per pixel, and later ones have the room that the first of them got.
   const std::uint32_t room = step.generation == 0 && reflections ? kRaysPerPixel * rays.capacity : rays.capacity;
   cameraRays().bind(program, view, frame, rays, step, next, room);
-  program.set("opacity", reflections ? 1.0f : settings.effect.opacity);
-  if (reflections && next) program.set("reflections", static_cast<unsigned>(settings.trace.bounces));
   view.scene.bindSurfaces();
   view.shadows.bind();
   view.scene.sky.bind(UNIT_SKY);

@@ -8,7 +8,6 @@ namespace halfsilver {
 namespace {
 
 constexpr std::uint32_t kRaysPerSample = 2;  // the path's next stretch and one to a light
-constexpr int kFirstEnd = 3;                 // generation from which paths may end by chance
 
 }  // namespace
 
@@ -40,7 +39,6 @@ void PathEffect::shade(const FrameView& view, const Settings& settings, const Ra
   cameraRays().bind(program, view, frame, rays, step, next, room);
   program.set("generation", static_cast<unsigned>(step.generation));
   program.set("firstSample", step.pass * samples);
-  program.set("roulette", settings.effect.roulette ? static_cast<unsigned>(kFirstEnd) : 0u);
   program.set("emitterCount", scene.emitters.count);
   program.set("skyRows", scene.skyTable.rows);
   program.set("skyColumns", scene.skyTable.columns);

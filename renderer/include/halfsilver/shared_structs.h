@@ -121,7 +121,11 @@ HALFSILVER_AT(FrameConstants, firstPass, 284);
 HALFSILVER_AT(FrameConstants, occlusionRadius, 288);
 HALFSILVER_AT(FrameConstants, glossySamples, 292);
 HALFSILVER_AT(FrameConstants, blends, 296);
-static_assert(sizeof(FrameConstants) == 304);
+HALFSILVER_AT(FrameConstants, roulette, 300);
+HALFSILVER_AT(FrameConstants, layerOpacity, 304);
+HALFSILVER_AT(FrameConstants, transfer, 308);
+HALFSILVER_AT(FrameConstants, bounces, 312);
+static_assert(sizeof(FrameConstants) == 320);
 
 #undef HALFSILVER_AT
 

@@ -20,9 +20,6 @@ layout(std430, binding = SSBO_PATHS) readonly buffer PathBlock { ScatteredPath p
 layout(std430, binding = SSBO_RAY_COUNT) readonly buffer RayCountBlock { RayCount rayCount; };
 layout(std430, binding = SSBO_HITS) readonly buffer HitBlock { Hit hits[]; };
 
-uniform float opacity;      // of a surface that is seen straight on
-uniform uint reflections;  // how often a path may be reflected: ScatteredPath::media counts
-
 // What a surface adds to the light behind it and how much of that it lets through.
 struct Layer {
   vec3 light;
@@ -37,7 +34,7 @@ Layer layerOf(uint triangle, TrianglePoint point, vec3 direction, ScatteredPath 
   vec3 normal = mat3(attributes[corners.x].normal, attributes[corners.y].normal, attributes[corners.z].normal) *
                 vec3(1.0 - point.barycentrics.x - point.barycentrics.y, point.barycentrics);
   float cosine = dot(normal, normal) > 0.0 ? abs(dot(normalize(normal), direction)) : 1.0;
-  float passes = pow(1.0 - opacity, 1.0 / max(cosine, 1e-3));
+  float passes = pow(1.0 - frame.layerOpacity, 1.0 / max(cosine, 1e-3));
   return Layer((1.0 - passes) * GLOW, passes);
 }
 #else
@@ -55,10 +52,10 @@ Layer layerOf(uint triangle, TrianglePoint point, vec3 direction, ScatteredPath 
   Surface s = evaluateSurface(triangle, point.barycentrics, direction, path.pathLength * frame.pixelCone,
                               BASE_TEXTURES);
   s.position = point.position;
-  float covers = opacity * s.alpha;
+  float covers = frame.layerOpacity * s.alpha;
   bool traced = false;
 #if defined(REFLECTIONS) && !defined(LAST_GENERATION)
-  traced = s.reflectivity > frame.minReflectivity && path.media < reflections;
+  traced = s.reflectivity > frame.minReflectivity && path.media < frame.bounces;  // media counts reflections
   if (traced) {
     path.throughput *= covers * reflectionShare(s.f0, s.roughness, -dot(s.normal, direction));
     path.kindAndSample = RAY_REFLECTION;

@@ -21,7 +21,8 @@ layout(std430, binding = SSBO_HITS) readonly buffer HitBlock { Hit hits[]; };
 
 uniform uint generation;
 uniform uint firstSample;  // of the pass
-uniform uint roulette;     // the generation from which paths end by chance; 0: none
+
+const uint FIRST_END = 3u;  // generation from which paths may end by chance
 
 // Purposes of random numbers, in each generation.
 const uint CHOOSE_LOBE = 0u, CHOOSE_DIRECTION = 1u, CHOOSE_LIGHT = 2u, CHOOSE_POINT = 3u, CHOOSE_END = 4u;
@@ -55,7 +56,7 @@ void sendFrom(Surface s, Bsdf bsdf, ScatteredPath path, uint sampleNumber, uint 
   Scattering next = scatter(bsdf, s, eta, numbersFor(CHOOSE_DIRECTION, path.pixel, sampleNumber),
                             numbersFor(CHOOSE_LOBE, path.pixel, sampleNumber));
   throughput *= next.weight;
-  if (roulette != 0u && generation >= roulette) {
+  if (frame.roulette != 0u && generation >= FIRST_END) {
     float stay = clamp(max(throughput.r, max(throughput.g, throughput.b)), 0.05, 1.0);
     if (numbersFor(CHOOSE_END, path.pixel, sampleNumber).x >= stay) return;
     throughput /= stay;
