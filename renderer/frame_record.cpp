@@ -6,7 +6,7 @@
 namespace halfsilver {
 
 std::size_t Frame::bytes() const {
-  std::size_t sum = constants.bytes() + gbuffer.bytes() + effect.bytes() + hits.bytes();
+  std::size_t sum = constants.bytes() + gbuffer.bytes() + effect.bytes() + hits.bytes() + lightRays.bytes();
   for (const RayBatch& batch : batches) sum += batch.bytes();
   for (const RayQueue& queue : queues) sum += queue.bytes();
   return sum;
@@ -17,6 +17,7 @@ void Frame::forgetRays() {
   batches.clear();
   queues = {};
   hits = {};
+  lightRays = {};
 }
 
 void FrameRecord::begin() {
@@ -42,8 +43,9 @@ void FrameRecord::end(const Frame& frame, const Tracer* tracer, const MemoryRepo
     memory_ = tracer->memory();
     for (const RayBatch& batch : frame.batches)
       firstCounts_.push_back(readback_.copy<shared::RayCount>(batch.rays.count));
-    for (const RayQueue& queue : frame.queues)
-      if (queue.count) laterCounts_.push_back(readback_.copy<shared::RayCount>(queue.count));
+    for (const auto* queues : {&frame.queues, &frame.lightRays.queues})
+      for (const RayQueue& queue : *queues)
+        if (queue.count) laterCounts_.push_back(readback_.copy<shared::RayCount>(queue.count));
     if (frame.effect.contributions.counts)
       contributions_ = readback_.copy<std::uint32_t>(frame.effect.contributions.counts, CONTRIBUTION_CLASSES);
     raysPerPixel_ = std::max(frame.host.glossySamples, 1u);

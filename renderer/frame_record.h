@@ -10,6 +10,7 @@
 #include <halfsilver/products.h>
 #include <halfsilver/renderer.h>
 #include <halfsilver/tracer.h>
+#include "effects/light_rays/light_rays.h"
 #include "effects/ray_effect.h"
 
 namespace halfsilver {
@@ -41,6 +42,7 @@ struct Frame {
   std::vector<RayBatch> batches;
   std::array<RayQueue, 2> queues;
   Hits hits;  // of later generations
+  LightRayFrame lightRays;
 
   void forgetRays();
   std::size_t bytes() const;

@@ -39,11 +39,27 @@ void Renderer::Impl::useTracer(const Settings& wanted) {
   change = SceneChange::everything();
 }
 
+// Whether rays find the shadows of direct lights.
+bool Renderer::Impl::lightsByRays(const Settings& wanted) const {
+  return wanted.shadow.method == ShadowMethod::rays && tracer && effect->usesLightRays();
+}
+
+ShadowSettings Renderer::Impl::shadowsOf(const Settings& wanted) const {
+  ShadowSettings used = wanted.shadow;
+  if (!lightsByRays(wanted)) used.method = ShadowMethod::maps;
+  return used;
+}
+
 void Renderer::Impl::drawShadows(const Settings& wanted, gl::Profiler& profiler) {
-  if (shadowSettings == wanted.shadow) return;
+  const ShadowSettings used = shadowsOf(wanted);
+  if (shadowSettings == used) return;
   shadowSettings.reset();
-  shadowWarnings = shadowPass.run(scene, lights, sky, wanted, shadowChange, shadows, profiler);
-  shadowSettings = wanted.shadow;
+  shadowWarnings = shadowPass.run(scene, lights, sky, used, shadowChange, shadows, profiler);
+  if (used.method != wanted.shadow.method)
+    shadowWarnings.push_back(
+        "shadow.method=rays is for trace.effect=reflection with a method that traces; shadow maps "
+        "are used");
+  shadowSettings = used;
   shadowChange = {.everything = false, .moved = {}};
 }
 
@@ -64,22 +80,15 @@ std::uint32_t Renderer::Impl::maxRays(const Settings& wanted) const {
   if (tracer->storesAttributes()) bytes = std::max(bytes, sizeof(shared::HitSurface));
   if (effect->generations(wanted) > 1 || effect->storesFirstRays(wanted))
     bytes = std::max({bytes, sizeof(shared::Ray), sizeof(shared::RayPath)});
-  return static_cast<std::uint32_t>(std::min<std::uint64_t>(
-      static_cast<std::uint64_t>(api.limits.storageBlockBytes) / bytes, std::numeric_limits<std::uint32_t>::max()));
-}
-
-void Renderer::Impl::reserveHits(const RayQueue& rays, bool attributes, Hits& hits) const {
-  const std::size_t hitBytes = rays.capacity * sizeof(shared::Hit);
-  if (hits.hits.bytes() != hitBytes) hits.hits = gl::Buffer(api, hitBytes, "hits");
-  const std::size_t surfaceBytes = attributes ? rays.capacity * sizeof(shared::HitSurface) : 0;
-  if (hits.surfaces.bytes() != surfaceBytes) hits.surfaces = gl::Buffer(api, surfaceBytes, "hit surfaces");
+  const std::uint64_t most = lightsByRays(wanted) ? LightRays::kRaysAtOnce : std::numeric_limits<std::uint32_t>::max();
+  return static_cast<std::uint32_t>(std::min(static_cast<std::uint64_t>(api.limits.storageBlockBytes) / bytes, most));
 }
 
 // The first rays of a batch, on their way.
 void Renderer::Impl::submitBatch(const FrameView& view, Frame& frame, std::size_t number) {
   RayBatch& batch = frame.batches[number];
   effect->spawn(view, static_cast<int>(number), static_cast<int>(frame.batches.size()), batch.rays, frame.effect);
-  reserveHits(batch.rays, tracer->storesAttributes() && !effect->startsAtCamera(), batch.hits);
+  reserveHits(api, batch.rays, tracer->storesAttributes() && !effect->startsAtCamera(), batch.hits);
   if (effect->startsAtCamera())
     effect->firstHits(view, batch.rays, batch.hits);
   else
@@ -100,23 +109,30 @@ void Renderer::Impl::finishBatch(const FrameView& view, Frame& frame, std::size_
                   frame.gbuffer);
 }
 
+LightRays::Trace Renderer::Impl::tracing(const FrameView& view) {
+  return [this, &view](const RayQueue& rays, Hits& hits, bool any) {
+    reserveHits(api, rays, tracer->storesAttributes(), hits);
+    if (any)
+      tracer->occluded(view, rays, hits);
+    else
+      tracer->trace(view, rays, hits);
+  };
+}
+
 // All generations of a batch.
 void Renderer::Impl::runPass(const FrameView& view, Frame& frame, RayBatch& batch, RayStep step) {
   const int generations = effect->generations(frame.settings);
+  const bool byRays = lightsByRays(frame.settings);
+  const LightRays::Trace trace = tracing(view);
   for (int generation = 0; generation < generations; ++generation) {
     step.generation = generation;
     const bool last = generation + 1 == generations;
     const RayQueue& rays = generation == 0 ? batch.rays : frame.queues[static_cast<std::size_t>((generation - 1) % 2)];
     RayQueue& next = frame.queues[static_cast<std::size_t>(generation % 2)];
     Hits& hits = generation == 0 ? batch.hits : frame.hits;
-    if (generation > 0) {
-      reserveHits(rays, tracer->storesAttributes(), hits);
-      if (effect->asksForAnyHit(generation))
-        tracer->occluded(view, rays, hits);
-      else
-        tracer->trace(view, rays, hits);
-    }
+    if (generation > 0) trace(rays, hits, effect->asksForAnyHit(generation));
     effect->shade(view, frame.settings, rays, hits, step, last ? nullptr : &next, frame.effect);
+    if (byRays) lightRays.lightHits(view, lights, trace, rays, hits, step, frame.effect, frame.lightRays);
   }
 }
 
@@ -126,7 +142,7 @@ void Renderer::Impl::begin(const Camera& camera, const Settings& wanted, int wid
   if (!hasScene) throw Error(ErrorKind::usage, "begin() needs a scene: call setScene() first");
   if (underWay.size() == kFrames)
     throw Error(ErrorKind::usage, "begin(): two frames are under way, finish() one first");
-  if (!underWay.empty() && (!sameTracer(api, *tracerSettings, wanted, methods) || shadowSettings != wanted.shadow ||
+  if (!underWay.empty() && (!sameTracer(api, *tracerSettings, wanted, methods) || shadowSettings != shadowsOf(wanted) ||
                             effectName != wanted.trace.effect))
     throw Error(ErrorKind::usage,
                 "begin(): the settings need another tracer, effect or shadow maps while a frame is under way");
@@ -180,18 +196,28 @@ void Renderer::Impl::start(const Work& work, const Camera& camera, const Setting
     frame.gbuffer.motion = gl::Texture();
   }
   moved.clear();
+  const bool byRays = lightsByRays(wanted);
   if (tracer) {
     for (RayQueue& queue : frame.queues)
       if (queue.count) queue.count.fill(0);  // overflow adds up over the generations that share a queue
+    if (byRays) {
+      frame.lightRays.forgetCounts();
+      frame.host.traces += LightRays::traces(view, lights, wanted.trace.bounces);
+    } else {
+      frame.lightRays = {};
+      frame.effect.directLight = {};
+    }
     tracer->update(view, change);
     frame.batches.resize(static_cast<std::size_t>(effect->batches(view, wanted, maxRays(wanted))));
   } else {
     frame.batches.clear();  // no memory for rays that nobody traces
   }
   // Rays are on their way while the G-buffer is shaded, unless it says which ones there are.
-  const bool early = tracer && !effect->spawnReadsShading(wanted);
+  const bool early = tracer && !byRays && !effect->spawnReadsShading(wanted);
   if (early) submitBatch(view, frame, 0);
   shadePass.run(view, frame.gbuffer);
+  if (byRays)
+    lightRays.lightPixels(view, lights, tracing(view), static_cast<int>(frame.batches.size()), frame.lightRays);
   if (tracer && !early) submitBatch(view, frame, 0);
   change = {};
 }

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include <halfsilver/ray_reader.h>
+#include "effects/light_rays/light_rays.h"
 #include "effects/ray_effect.h"
 #include "frame/gpu_rig.h"
 #include "frame_record.h"
@@ -39,6 +40,7 @@ struct Renderer::Impl {
   GBufferPass gbufferPass{api};
   MotionPass motionPass{api};
   ShadePass shadePass{api};
+  LightRays lightRays{api};
   Picture picture{api};
   std::unique_ptr<RayEffect> effect;
   std::optional<Effect> effectName;
@@ -79,11 +81,13 @@ struct Renderer::Impl {
   std::vector<shared::RayWork> readWork();
   void useTracer(const Settings& wanted);
   void useEffect(Effect wanted);
+  bool lightsByRays(const Settings& wanted) const;
+  ShadowSettings shadowsOf(const Settings& wanted) const;
   void drawShadows(const Settings& wanted, gl::Profiler& profiler);
   std::uint32_t maxRays(const Settings& wanted) const;
-  void reserveHits(const RayQueue& rays, bool attributes, Hits& hits) const;
   void submitBatch(const FrameView& view, Frame& frame, std::size_t number);
   void finishBatch(const FrameView& view, Frame& frame, std::size_t number);
+  LightRays::Trace tracing(const FrameView& view);
   void runPass(const FrameView& view, Frame& frame, RayBatch& batch, RayStep step);
   void begin(const Camera& camera, const Settings& wanted, int width, int height,
              const std::optional<std::uint32_t>& sample = {});

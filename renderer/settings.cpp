@@ -22,6 +22,7 @@ constexpr auto choiceNames(AxisRule) { return std::array{"normal", "area", "own"
 constexpr auto choiceNames(TraceStage) { return std::array{"compute", "fragment"}; }
 constexpr auto choiceNames(Effect) { return std::array{"reflection", "whitted", "occlusion", "path", "layers"}; }
 constexpr auto choiceNames(Transfer) { return std::array{"xray", "surface", "blend"}; }
+constexpr auto choiceNames(ShadowMethod) { return std::array{"maps", "rays"}; }
 constexpr auto choiceNames(ToneMap) { return std::array{"filmic", "none"}; }
 constexpr auto choiceNames(Antialiasing) { return std::array{"none", "fxaa", "temporal"}; }
 
@@ -85,6 +86,8 @@ void visitAll(S& s, Visitor&& visit) {
   visit("effect.layers", s.effect.layers, 1, 64, "surfaces behind each other that are looked at");
   visit("effect.transfer", s.effect.transfer, 0, 0, "what a layer adds to the light behind it and lets through");
   visit("effect.opacity", s.effect.opacity, 0, 1, "of a layer that is seen straight on");
+  visit("shadow.method", s.shadow.method, 0, 0, "how shadows of direct lights are found");
+  visit("shadow.samples", s.shadow.samples, 1, 64, "rays to a light that has an extent");
   visit("shadow.resolution", s.shadow.resolution, 16, 8192, "texels along a shadow map");
   visit("shadow.sky_directions", s.shadow.skyDirections, 0, 32, "shadowed directions that stand for the sky");
   visit("image.exposure", s.image.exposure, -20, 20, "stops");

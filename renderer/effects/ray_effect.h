@@ -41,6 +41,8 @@ class RayEffect {
   virtual bool storesFirstRays(const Settings&) const { return false; }
   // Whether what a pixel's rays bring is all of its light. If not, it is the share that the surface reflects.
   virtual bool bringsAllLight() const { return false; }
+  // Whether its hits are lit as deferred pixels are, so that rays may find their shadows (shadow.method).
+  virtual bool usesLightRays() const { return false; }
   // Whether surfaces that transmit or have a coat look so.
   virtual bool showsLayers() const { return false; }
   // Whether first rays are the camera's, which firstHits() answers; otherwise a tracer does.

@@ -51,6 +51,13 @@ void reserveQueue(const gl::Api& api, std::uint32_t rays, RayStorage storage, Ra
   queue.capacity = rays;
 }
 
+void reserveHits(const gl::Api& api, const RayQueue& rays, bool attributes, Hits& hits) {
+  const std::size_t hitBytes = rays.capacity * sizeof(shared::Hit);
+  if (hits.hits.bytes() != hitBytes) hits.hits = gl::Buffer(api, hitBytes, "hits");
+  const std::size_t surfaceBytes = attributes ? rays.capacity * sizeof(shared::HitSurface) : 0;
+  if (hits.surfaces.bytes() != surfaceBytes) hits.surfaces = gl::Buffer(api, surfaceBytes, "hit surfaces");
+}
+
 void beginQueue(RayQueue& queue) { queue.count.fill(0, 0, offsetof(shared::RayCount, overflow)); }
 
 RayCountPass::RayCountPass(const gl::Api& api)

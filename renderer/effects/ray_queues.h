@@ -24,6 +24,8 @@ enum class RayStorage { pixels, rays };
 
 // Makes room for that many rays, and at most about twice as many. What a queue held is lost if it changes.
 void reserveQueue(const gl::Api& api, std::uint32_t rays, RayStorage storage, RayQueue& queue);
+// Hits for as many rays as the queue can hold, with what a method that stores attributes writes of them.
+void reserveHits(const gl::Api& api, const RayQueue& rays, bool attributes, Hits& hits);
 // Before a dispatch appends rays. Counts for the whole frame stay.
 void beginQueue(RayQueue& queue);
 

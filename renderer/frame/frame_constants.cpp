@@ -122,6 +122,7 @@ shared::FrameConstants makeFrameConstants(const Camera& camera, const Bounds& bo
   frame.width = static_cast<std::uint32_t>(width);
   frame.height = static_cast<std::uint32_t>(height);
   frame.directLights = lights.direct;
+  frame.mappedLights = lights.mapped;
   frame.skyDirections = lights.skyDirections;
   frame.hemispheres = lights.hemispheres;
   frame.cullBackFaces = settings.scene.cullBackFaces ? 1 : 0;
@@ -146,6 +147,7 @@ shared::FrameConstants makeFrameConstants(const Camera& camera, const Bounds& bo
   frame.transfer = static_cast<std::uint32_t>(settings.effect.transfer);
   frame.bounces = static_cast<std::uint32_t>(settings.trace.bounces);
   frame.occlusionRadius = settings.effect.radius > 0 ? settings.effect.radius : FAR_AWAY;
+  frame.shadowSamples = static_cast<std::uint32_t>(settings.shadow.samples);
   frame.jitter = jitter;
   return frame;
 }

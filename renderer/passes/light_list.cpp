@@ -118,7 +118,8 @@ Shares share(std::span<const Light> lights, const LightListLimits& limits, std::
   shares.tile = std::max(limits.resolution / kSkyTiles, std::min(limits.resolution, kMinTile));
   const int perSide = limits.resolution / shares.tile;
   shares.tilesPerLayer = perSide * perSide;
-  for (const Light& light : lights) {
+  const std::span<const Light> mapped = limits.mapsOfLights ? lights : std::span<const Light>();
+  for (const Light& light : mapped) {
     if (shares.lightLayers + layersOf(light.type) > limits.layers) break;
     shares.lightLayers += layersOf(light.type);
     ++shares.shadowed;
@@ -128,9 +129,9 @@ Shares share(std::span<const Light> lights, const LightListLimits& limits, std::
   if (shares.directions < limits.skyDirections)
     warnings.push_back("shadow maps: room for " + std::to_string(shares.directions) + " of " +
                        std::to_string(limits.skyDirections) + " directions of the sky");
-  if (shares.shadowed < lights.size())
-    warnings.push_back("shadow maps: no room for the shadows of " + std::to_string(lights.size() - shares.shadowed) +
-                       " of " + std::to_string(lights.size()) + " lights");
+  if (shares.shadowed < mapped.size())
+    warnings.push_back("shadow maps: no room for the shadows of " + std::to_string(mapped.size() - shares.shadowed) +
+                       " of " + std::to_string(mapped.size()) + " lights");
   return shares;
 }
 
@@ -285,6 +286,7 @@ LightList makeLightList(const Bounds& sceneBounds, std::span<const Light> lights
   for (std::size_t i = 0; i < lights.size(); ++i)
     addLight(list, bounds, lights[i], i < shares.shadowed, limits.resolution);
   list.ranges.direct = static_cast<std::uint32_t>(lights.size());
+  list.ranges.mapped = limits.mapsOfLights ? list.ranges.direct : 0;
 
   const SkyLight skyLight = integrateSky(sky, shares.directions);
   addSky(list, bounds, skyLight, shares, limits.resolution);

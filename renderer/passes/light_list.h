@@ -22,9 +22,10 @@ struct LightList {
 };
 
 struct LightListLimits {
-  int resolution = 1024;   // texels along a layer
-  int skyDirections = 12;  // at most
-  int layers = 256;        // at most
+  int resolution = 1024;     // texels along a layer
+  int skyDirections = 12;    // at most
+  int layers = 256;          // at most
+  bool mapsOfLights = true;  // direct lights cast shadows by maps
 };
 
 // Lights with places in the shadow maps: a layer for a directional light or a spot, six for any other, a tile of a

@@ -60,17 +60,18 @@ ShadowPass::ShadowPass(const gl::Api& api)
     : api_(&api), opaque_(makeProgram(api, false)), cut_(makeProgram(api, true)), vertexArray_(api) {}
 
 std::vector<std::string> ShadowPass::run(const GpuScene& scene, std::span<const Light> lights, const Sky& sky,
-                                         const Settings& settings, const ShadowChange& change, ShadowMaps& out,
+                                         const ShadowSettings& settings, const ShadowChange& change, ShadowMaps& out,
                                          gl::Profiler& profiler) const {
   const auto section = profiler.section("shadow");
   LightListLimits limits;
-  limits.resolution = std::min<int>(settings.shadow.resolution, api_->limits.framebufferSize);
-  limits.skyDirections = settings.shadow.skyDirections;
+  limits.resolution = std::min<int>(settings.resolution, api_->limits.framebufferSize);
+  limits.skyDirections = settings.skyDirections;
+  limits.mapsOfLights = settings.method == ShadowMethod::maps;
   const std::size_t layerBytes =
       sizeof(float) * static_cast<std::size_t>(limits.resolution) * static_cast<std::size_t>(limits.resolution);
   limits.layers = std::min<int>(api_->limits.arrayLayers, static_cast<int>(kMaxBytes / layerBytes));
   LightList list = makeLightList(scene.extents.bounds(), lights, sky, limits);
-  if (limits.resolution < settings.shadow.resolution)
+  if (limits.resolution < settings.resolution)
     list.warnings.push_back("shadow maps: the device draws at most " + std::to_string(limits.resolution) +
                             " texels along a side");
 

@@ -38,7 +38,7 @@ class ShadowPass {
   // Brings `out` up to date with scene, lights, sky and the shadow settings. Returns warnings, one line each: lights or
   // directions of the sky for which there was no room, or a resolution beyond the device.
   std::vector<std::string> run(const GpuScene& scene, std::span<const Light> lights, const Sky& sky,
-                               const Settings& settings, const ShadowChange& change, ShadowMaps& out,
+                               const ShadowSettings& settings, const ShadowChange& change, ShadowMaps& out,
                                gl::Profiler& profiler) const;
 
  private:

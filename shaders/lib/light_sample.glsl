@@ -42,3 +42,6 @@ LightSample sampleLight(uint light, vec3 position, vec2 numbers) {
   color *= attenuation(directionType, lightTexel(light, LIGHT_SHADOW), positionRange.w, toLight, distanceToLight);
   return LightSample(toLight, distanceToLight, color);
 }
+
+// Hits nearer than that are between the surface and the light.
+float distanceBefore(LightSample to) { return to.distance < FAR_AWAY ? 0.9999 * to.distance : FAR_AWAY; }

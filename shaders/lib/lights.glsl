@@ -74,8 +74,8 @@ vec3 directLight(uint light, Surface s, vec3 toEye) {
 
 vec3 directRadiance(Surface s, vec3 toEye) {
   vec3 radiance = vec3(0.0);
-  for (uint first = 0u; first < frame.directLights; first += LIGHTS_AT_ONCE) {
-    uint count = min(frame.directLights - first, LIGHTS_AT_ONCE);
+  for (uint first = 0u; first < frame.mappedLights; first += LIGHTS_AT_ONCE) {
+    uint count = min(frame.mappedLights - first, LIGHTS_AT_ONCE);
     uint pending = 0u;
     for (uint i = 0u; i < count; ++i)
       if (mayLight(first + i, s)) pending |= 1u << i;
@@ -144,7 +144,7 @@ vec4 ambientLighting(Surface s, vec3 toEye) {
   return vec4((diffuse + specular) * (s.occlusion / PI), sky.visibility);
 }
 
-// The same with what the surface emits and the direct lights, by their shadow maps.
+// The same with what the surface emits and the direct lights that have shadow maps; effects/light_rays adds the others.
 vec4 directLighting(Surface s, vec3 toEye) {
   if (s.unlit) return vec4(s.baseColor, 1.0);
   vec3 radiance = s.emissive + directRadiance(s, toEye);

@@ -167,7 +167,11 @@ struct FrameConstants {
   float layerOpacity;     // of a surface that is seen straight on
   uint transfer;          // Transfer, of layers
   uint bounces;           // trace.bounces
+  uint mappedLights;      // of the direct lights, from the first: those whose shadow maps are used
+  uint shadowSamples;     // rays to a light that has an extent, from the deferred shading and from reflections
   uint padding0;
+  uint padding1;
+  uint padding2;
 };
 
 #endif

@@ -200,7 +200,7 @@ class ShadowViewsTest : public ShadowTest {
 
   // What `maps` holds, brought up to date.
   std::vector<float> drawn(const Scene& scene, const ShadowChange& change, ShadowMaps& maps) {
-    shadowPass.run(gpu, scene.lights, scene.sky, settings, change, maps, profiler);
+    shadowPass.run(gpu, scene.lights, scene.sky, settings.shadow, change, maps, profiler);
     const gl::Texture::Shape& shape = maps.maps.shape();
     std::vector<float> depth(static_cast<std::size_t>(shape.width * shape.height * shape.depth));
     maps.maps.read(GL_DEPTH_COMPONENT, GL_FLOAT, depth.size() * sizeof(float), depth.data());

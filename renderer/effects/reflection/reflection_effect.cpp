@@ -157,7 +157,7 @@ void ReflectionEffect::shade(const FrameView& view, const Settings&, const RayQu
 
 void ReflectionEffect::resolve(const FrameView& view, const Settings& settings, const RayQueue& first, const RayPasses&,
                                int batch, EffectFrame& frame, GBuffer& gbuffer) {
-  resolve(view, first, frame, gbuffer, perPixel(settings));
+  resolve(view, first, frame, gbuffer, perPixel(settings), batch);
   if (settings.effect.glossy && batch + 1 == frame.batches) filter(view, frame, gbuffer);
 }
 
@@ -182,10 +182,19 @@ void ReflectionEffect::filter(const FrameView& view, EffectFrame& frame, GBuffer
 }
 
 void ReflectionEffect::resolve(const FrameView& view, const RayQueue& first, const EffectFrame& frame, GBuffer& gbuffer,
-                               std::uint32_t slotsPerPixel) {
+                               std::uint32_t slotsPerPixel, int batch) {
   const auto section = view.profiler.section("shade");
-  resolve_.use();
-  resolve_.set("slotsPerPixel", slotsPerPixel);
+  const bool lightRays = static_cast<bool>(frame.directLight);
+  if (lightRays && !resolveLightRays_)
+    resolveLightRays_ =
+        gl::Program::compute(*api_, "effects/reflection/resolve.comp", std::array{gl::Define{"LIGHT_RAYS"}});
+  const gl::Program& program = lightRays ? resolveLightRays_ : resolve_;
+  program.use();
+  program.set("slotsPerPixel", slotsPerPixel);
+  if (lightRays) {
+    program.set("firstPixel", bandOf(gbuffer, batch, frame.batches).firstPixel);
+    frame.directLight.bindStorage(SSBO_DIRECT_LIGHT);
+  }
   view.constants.bindUniform(UBO_FRAME);
   first.count.bindStorage(SSBO_RAY_COUNT);
   frame.slots.bindStorage(SSBO_SLOTS);

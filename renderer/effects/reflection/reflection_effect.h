@@ -25,6 +25,7 @@ class ReflectionEffect final : public RayEffect {
   int batches(const FrameView& view, const Settings& settings, std::uint32_t maxRays) const override {
     return bandCount(view.gbuffer, maxRays / perPixel(settings));
   }
+  bool usesLightRays() const override { return true; }
   bool storesFirstRays(const Settings& settings) const override { return settings.effect.glossy; }
   bool spawnReadsShading(const Settings& settings) const override { return settings.select.minContribution > 0; }
   // Section "select", as measure().
@@ -40,7 +41,7 @@ class ReflectionEffect final : public RayEffect {
                EffectFrame& frame, GBuffer& gbuffer) override;
   // The same for queues with several rays per pixel: the mean of those that were answered.
   void resolve(const FrameView& view, const RayQueue& first, const EffectFrame& frame, GBuffer& gbuffer,
-               std::uint32_t slotsPerPixel);
+               std::uint32_t slotsPerPixel, int batch = 0);
 
  private:
   const gl::Program& shading(const GpuScene& scene, bool first, bool ofPixels, bool surfaces, bool next);
@@ -55,7 +56,7 @@ class ReflectionEffect final : public RayEffect {
   const gl::Api* api_;
   gl::Program spawn_, spawnByContribution_, contributions_;
   RayCountPass count_;
-  gl::Program resolve_, scatter_, filter_;  // the last two made on first use
+  gl::Program resolve_, resolveLightRays_, scatter_, filter_;  // all but the first made on first use
   // Made on first use: [first generation][queue of pixels][with HitSurface][with a next one].
   std::optional<SurfacePrograms> shade_[2][2][2][2];
 };

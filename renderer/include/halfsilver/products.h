@@ -60,6 +60,7 @@ struct GpuScene {
 // How many lights of each kind there are, in the order in which they lie behind one another (see GpuLight).
 struct LightRanges {
   std::uint32_t direct = 0, skyDirections = 0, hemispheres = 0;
+  std::uint32_t mapped = 0;  // of the direct lights: all, or none if rays find their shadows
 };
 
 // One drawing of the scene into the shadow maps.
@@ -136,8 +137,11 @@ struct EffectFrame {
   RayQueue pixels;       // of a batch whose first rays are stored
   gl::Texture filtered;  // takes turns with GBuffer::reflection
   Contributions contributions;
+  gl::Buffer directLight;  // LightSum by pixel of a batch, if rays to lights found their shadows: on what reflected
+                           // rays hit
   std::size_t bytes() const {
-    return slots.bytes() + pixels.bytes() + (filtered ? filtered.bytes() : 0) + contributions.counts.bytes();
+    return slots.bytes() + pixels.bytes() + (filtered ? filtered.bytes() : 0) + contributions.counts.bytes() +
+           directLight.bytes();
   }
 };
 

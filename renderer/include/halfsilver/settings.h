@@ -119,9 +119,18 @@ struct EffectSettings {
   bool operator==(const EffectSettings&) const = default;
 };
 
+// How the direct lights' shadows are found, in the deferred shading and in reflections; effects that follow light on
+// their own (RayEffect::bringsAllLight) are not asked.
+enum class ShadowMethod {
+  maps,
+  rays  // to each light from every surface; shadows of rectangles and spheres are soft
+};
+
 struct ShadowSettings {
+  ShadowMethod method = ShadowMethod::maps;
   int resolution = 864;    // texels, of each shadow map, 16..8192
   int skyDirections = 10;  // shadowed directions that stand for the sky, 0..32; 0: unshadowed sky light
+  int samples = 8;         // rays to a light that has an extent, 1..64
 
   bool operator==(const ShadowSettings&) const = default;
 };

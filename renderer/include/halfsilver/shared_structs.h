@@ -125,7 +125,9 @@ HALFSILVER_AT(FrameConstants, roulette, 300);
 HALFSILVER_AT(FrameConstants, layerOpacity, 304);
 HALFSILVER_AT(FrameConstants, transfer, 308);
 HALFSILVER_AT(FrameConstants, bounces, 312);
-static_assert(sizeof(FrameConstants) == 320);
+HALFSILVER_AT(FrameConstants, mappedLights, 316);
+HALFSILVER_AT(FrameConstants, shadowSamples, 320);
+static_assert(sizeof(FrameConstants) == 336);
 
 #undef HALFSILVER_AT
 

@@ -1,5 +1,6 @@
 // From sums to pixels: the mean of all passes and samples. One invocation per pixel of the queue.
 #include "effects/common/light_sums.glsl"
+#include "effects/common/summed_light.glsl"
 #include "lib/frame.glsl"
 
 layout(local_size_x = 64) in;
@@ -15,8 +16,6 @@ void main() {
   uint index = (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * gl_WorkGroupSize.x + gl_LocalInvocationID.x;
   if (index >= rayCount.count) return;
   uint pixel = queuedPixels[index];
-  LightSum sum = lightSums[pixel - firstPixel];
-  vec3 high = vec3(sum.high[0], sum.high[1], sum.high[2]), low = vec3(sum.low[0], sum.low[1], sum.low[2]);
-  vec3 mean = share * (16.0 * high + low / 268435456.0);
+  vec3 mean = share * radianceOf(lightSums[pixel - firstPixel]);
   imageStore(reflection, ivec2(pixel % frame.width, pixel / frame.width), vec4(mean, 1.0));
 }

@@ -1,48 +1,10 @@
 // What a surface sends on.
-#include "effects/common/send_on.glsl"
+#include "effects/common/send_through.glsl"
 #include "lib/light_sample.glsl"
 #include "lib/random.glsl"
 
 uniform uint pass;
 uniform uint endsHere;  // what this surface reflects and lets pass is not traced: the sky stands in
-
-const float COAT_INDEX = 1.5;
-
-// A material's share of light that meets a clear inside.
-float clearShare(Surface s) { return s.transmission * (1.0 - s.metallic); }
-
-bool underCoat(Meeting m) { return m.s.coat > 0.0 && (m.front || m.s.thin || m.s.transmission <= 0.0); }
-
-float coatReflectance(Meeting m) {
-  if (!underCoat(m)) return 0.0;
-  return m.s.coat * meetInterface(m.direction, m.s.coatNormal, 1.0 / COAT_INDEX).reflectance;
-}
-
-// Index of refraction before the surface over that behind it.
-float indexRatio(Meeting m, int color) {
-  float behind = m.s.thin ? indexOf(m.s.ior, m.s.dispersion, color) : indexOfMedium(m.behind, color);
-  return indexOfMedium(m.before, color) / behind;
-}
-
-// A way of a path gives it another number.
-uint pathVia(Meeting m, uint way) { return joined(m.path, way) & 0xffffffu; }
-const uint WAY_REFLECTED = 0u, WAY_THROUGH = 1u, WAY_COAT = 4u, WAY_TO_LIGHT = 5u;
-
-void sendRay(Meeting m, uint kind, uint way, vec3 direction, float maxDistance, vec3 throughput, uint media) {
-  sendOn(Ray(m.s.position, maxDistance, direction, m.triangle),
-         ScatteredPath(throughput, m.pathLength, m.pixel, kind | pathVia(m, way) << 8, media, 0.0));
-}
-
-// A ray to a light goes on straight behind a clear surface. The border reflects the same from both sides: a ray that is
-// not bent meets no total reflection.
-void sendThrough(Meeting m, float maxDistance) {
-  float ratio = indexRatio(m, 1);
-  float reflectance = meetInterface(m.direction, m.s.normal, min(ratio, 1.0 / ratio)).reflectance;
-  vec3 throughput =
-      m.throughput * m.s.baseColor * (clearShare(m.s) * (1.0 - reflectance) * (1.0 - coatReflectance(m)));
-  if (any(greaterThan(throughput, vec3(0.0))))
-    sendRay(m, RAY_SHADOW, WAY_TO_LIGHT, m.direction, maxDistance, throughput, m.behind);
-}
 
 // Light that arrives along a reflected ray. `visibility`: of the sky.
 void sendReflected(Meeting m, vec3 normal, uint way, vec3 throughput, bool traced, float roughness, float visibility) {
@@ -101,9 +63,7 @@ void sendToLights(Meeting m, vec3 base, float coat) {
     if (coat > 0.0) scattered += coat * shadeLight(film, -m.direction, to.toLight);
     vec3 throughput = m.throughput * scattered * to.light;
     if (all(lessThanEqual(throughput, vec3(0.0)))) continue;
-    const float justBefore = 0.9999;
-    float maxDistance = to.distance < FAR_AWAY ? justBefore * to.distance : FAR_AWAY;
-    sendRay(m, RAY_SHADOW, WAY_TO_LIGHT, to.toLight, maxDistance, throughput, m.before);
+    sendRay(m, RAY_SHADOW, WAY_TO_LIGHT, to.toLight, distanceBefore(to), throughput, m.before);
   }
 }
 

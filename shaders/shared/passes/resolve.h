@@ -2,7 +2,8 @@
 #ifndef HALFSILVER_PASSES_RESOLVE_H
 #define HALFSILVER_PASSES_RESOLVE_H
 
-#define SSBO_SLOTS 10  // Radiance[]
+#define SSBO_SLOTS 10         // Radiance[]
+#define SSBO_DIRECT_LIGHT 11  // LightSum[] by pixel of the batch: direct light on what its rays found
 
 #define IMAGE_REFLECTION 0  // radiance carried by the traced rays; a: 1 where traced
 

@@ -1,0 +1,97 @@
+// What a ray that may pass through surfaces meets. The includer says what SSBO_HIT_SURFACES is.
+#include "lib/dielectric.glsl"
+#include "lib/evaluate_surface.glsl"
+#include "lib/media.glsl"
+#include "lib/triangle_point.glsl"
+#include "shared/rays.h"
+#ifdef HIT_SURFACES
+#include "effects/common/stored_surface.glsl"
+#endif
+
+// A hit and how its ray came there.
+struct Meeting {
+  Surface s;
+  vec3 direction;  // of the ray
+  uint triangle;
+  uint pixel;
+  uint path;         // a number of the path so far, for what is chosen at random along it
+  float distance;    // of the ray
+  float pathLength;  // from the eye
+  vec3 throughput;   // that the ray arrives with
+  uint before;       // the media of the ray, and those behind the surface
+  uint behind;
+  bool front;
+};
+
+#ifdef HIT_SURFACES
+Surface surfaceOf(uint index, Ray ray, Hit hit, inout float distance, float pathLength) {
+  Surface s = storedSurface(index, ray, hit);
+  uint material = triangleAt(hit.triangle).w;
+  s.transmission = materials[material].transmission;
+  s.thin = (materials[material].flags & MATERIAL_THIN) != 0u;
+  s.ior = materials[material].ior;
+  s.dispersion = materials[material].dispersion;
+  s.coat = materials[material].coat;
+  s.coatRoughness = materials[material].coatRoughness;
+  return s;
+}
+#else
+// The method says which triangle it is; all methods then see the same point of it.
+Surface surfaceOf(uint index, Ray ray, Hit hit, inout float distance, float pathLength) {
+  TrianglePoint point = pointOnTriangle(hit.triangle, ray.origin, ray.direction);
+  distance = dot(point.relative, ray.direction);
+  Surface s = evaluateSurface(hit.triangle, point.barycentrics, ray.direction,
+                              (pathLength + distance) * frame.pixelCone, ALL_TEXTURES);
+  s.position = point.position;
+  return s;
+}
+#endif
+
+void setMedia(inout Meeting m, uint media) {
+  vec3 a, b, c;
+  trianglePositions(m.triangle, a, b, c);
+  uint material = triangleAt(m.triangle).w;
+  m.front = dot(cross(b - a, c - a), m.direction) < 0.0;
+  m.s.thin = m.s.thin || material >= MEDIA_MATERIALS;
+  m.before = m.behind = media;
+  if (m.s.thin || m.s.transmission <= 0.0) return;
+  if (!m.front && !inMedium(media, material)) m.before = enterMedium(media, material);  // the eye is inside
+  m.behind = m.front ? enterMedium(media, material) : leaveMedium(m.before, material);
+}
+
+Meeting meetingOf(uint index, Ray ray, Hit hit, ScatteredPath path) {
+  Meeting m;
+  m.distance = hit.t;
+  m.s = surfaceOf(index, ray, hit, m.distance, path.pathLength);
+  m.direction = ray.direction;
+  m.triangle = hit.triangle;
+  m.pixel = path.pixel;
+  m.path = path.kindAndSample >> 8;
+  m.pathLength = path.pathLength + m.distance;
+  setMedia(m, path.media);
+  m.throughput = path.throughput * throughMedium(m.before, m.distance);
+  return m;
+}
+
+// A light that has a place may be inside a volume.
+float wayToLight(Ray ray) { return ray.maxDistance < FAR_AWAY ? ray.maxDistance : 0.0; }
+
+bool isClear(Hit hit) { return (materials[triangleAt(hit.triangle).w].flags & MATERIAL_TRANSMISSIVE) != 0u; }
+
+const float COAT_INDEX = 1.5;
+
+// A material's share of light that meets a clear inside.
+float clearShare(Surface s) { return s.transmission * (1.0 - s.metallic); }
+
+bool underCoat(Meeting m) { return m.s.coat > 0.0 && (m.front || m.s.thin || m.s.transmission <= 0.0); }
+
+float coatReflectance(Meeting m) {
+  if (!underCoat(m)) return 0.0;
+  return m.s.coat * meetInterface(m.direction, m.s.coatNormal, 1.0 / COAT_INDEX).reflectance;
+}
+
+// Index of refraction before the surface over that behind it.
+float indexRatio(Meeting m, int color) {
+  float behind = m.s.thin ? indexOf(m.s.ior, m.s.dispersion, color) : indexOfMedium(m.behind, color);
+  return indexOfMedium(m.before, color) / behind;
+}

@@ -1,0 +1,46 @@
+// Rays to lights from what reflected rays found, in place of the direct light of effects/reflection/shade.comp.
+// With PIXEL_QUEUE those rays are pixels, with HIT_SURFACES the method stores attributes.
+#include "lib/evaluate_surface.glsl"
+#include "lib/lights.glsl"
+#include "lib/queued_ray.glsl"
+#include "lib/scene.glsl"
+#include "effects/light_rays/to_lights.glsl"
+#ifdef HIT_SURFACES
+#include "effects/common/stored_surface.glsl"
+#endif
+
+layout(local_size_x = 64) in;
+
+#ifndef PIXEL_QUEUE
+layout(std430, binding = SSBO_PATHS) readonly buffer PathBlock { RayPath paths[]; };
+#endif
+layout(std430, binding = SSBO_RAY_COUNT) readonly buffer RayCountBlock { RayCount rayCount; };
+layout(std430, binding = SSBO_HITS) readonly buffer HitBlock { Hit hits[]; };
+
+uniform uint generation;  // of the rays
+
+void main() {
+  uint index = (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * gl_WorkGroupSize.x + gl_LocalInvocationID.x;
+  if (index >= rayCount.count) return;
+  Hit hit = hits[index];
+  if (hit.triangle == NO_TRIANGLE) return;
+#ifdef PIXEL_QUEUE
+  Ray ray = queuedRay(index, RAYS_OF_PIXELS);
+  RayPath path = RayPath(vec3(1.0), length(ray.origin - frame.eye), pixelOfRay(index), RAY_REFLECTION, 0u, 0u);
+#else
+  Ray ray = queuedRay(index, RAYS_STORED);
+  RayPath path = paths[index];
+#endif
+  float pathLength = path.pathLength + hit.t;
+#ifdef HIT_SURFACES
+  Surface s = storedSurface(index, ray, hit);
+#else
+  Surface s = evaluateSurface(hit.triangle, vec2(hit.u, hit.v), ray.direction, pathLength * frame.pixelCone,
+                              BASE_TEXTURES);
+#endif
+  // Slots of a pixel lie side by side in an order of their own.
+  uint ofPixel = path.slot % max(frame.glossySamples, 1u);
+  vec3 share = reflectionShare(s.f0, s.roughness, -dot(s.normal, ray.direction));
+  sendToLights(s, -ray.direction, hit.triangle, path.pixel, path.throughput * (1.0 - share), pathLength,
+               joined(joined(1u, generation), ofPixel));
+}
