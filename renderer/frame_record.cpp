@@ -71,9 +71,9 @@ FrameReport FrameRecord::report() {
   for (const auto& slice : firstCounts_) {
     const shared::RayCount& first = readback_.values(slice)[0];
     known_.overflow += first.overflow;
-    known_.selected += first.count / raysPerPixel_;
+    known_.selected += (first.count - first.byKind[RAY_THROUGH]) / raysPerPixel_;  // others go on behind surfaces
     known_.reflecting += first.reflecting;
-    if (first.source == RAYS_OF_PIXELS) known_.rays[RAY_REFLECTION] += first.count;
+    if (first.source == RAYS_OF_PIXELS) known_.rays[RAY_REFLECTION] += first.count - first.byKind[RAY_THROUGH];
     for (std::size_t kind = 0; kind < known_.rays.size(); ++kind) known_.rays[kind] += first.byKind[kind];
   }
   if (contributions_.count) {

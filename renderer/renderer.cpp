@@ -44,6 +44,8 @@ bool Renderer::Impl::lightsByRays(const Settings& wanted) const {
   return wanted.shadow.method == ShadowMethod::rays && tracer && effect->usesLightRays();
 }
 
+bool Renderer::Impl::blends(const Settings& wanted) const { return effect->blends(wanted, scene); }
+
 ShadowSettings Renderer::Impl::shadowsOf(const Settings& wanted) const {
   ShadowSettings used = wanted.shadow;
   if (!lightsByRays(wanted)) used.method = ShadowMethod::maps;
@@ -78,7 +80,7 @@ std::uint32_t Renderer::Impl::maxRays(const Settings& wanted) const {
   static_assert(sizeof(shared::Radiance) <= sizeof(shared::Hit) && sizeof(shared::PausedRay) <= sizeof(shared::Hit));
   std::size_t bytes = sizeof(shared::Hit);
   if (tracer->storesAttributes()) bytes = std::max(bytes, sizeof(shared::HitSurface));
-  if (effect->generations(wanted) > 1 || effect->storesFirstRays(wanted))
+  if (effect->generations(wanted, blends(wanted)) > 1 || effect->storesFirstRays(wanted))
     bytes = std::max({bytes, sizeof(shared::Ray), sizeof(shared::RayPath)});
   const std::uint64_t most = lightsByRays(wanted) ? LightRays::kRaysAtOnce : std::numeric_limits<std::uint32_t>::max();
   return static_cast<std::uint32_t>(std::min(static_cast<std::uint64_t>(api.limits.storageBlockBytes) / bytes, most));
@@ -121,7 +123,7 @@ LightRays::Trace Renderer::Impl::tracing(const FrameView& view) {
 
 // All generations of a batch.
 void Renderer::Impl::runPass(const FrameView& view, Frame& frame, RayBatch& batch, RayStep step) {
-  const int generations = effect->generations(frame.settings);
+  const int generations = effect->generations(frame.settings, frame.host.blends != 0);
   const bool byRays = lightsByRays(frame.settings);
   const LightRays::Trace trace = tracing(view);
   for (int generation = 0; generation < generations; ++generation) {
@@ -132,7 +134,7 @@ void Renderer::Impl::runPass(const FrameView& view, Frame& frame, RayBatch& batc
     Hits& hits = generation == 0 ? batch.hits : frame.hits;
     if (generation > 0) trace(rays, hits, effect->asksForAnyHit(generation));
     effect->shade(view, frame.settings, rays, hits, step, last ? nullptr : &next, frame.effect);
-    if (byRays) lightRays.lightHits(view, lights, trace, rays, hits, step, frame.effect, frame.lightRays);
+    if (byRays) lightRays.lightHits(view, lights, trace, rays, hits, step, !last, frame.effect, frame.lightRays);
   }
 }
 
@@ -174,9 +176,10 @@ void Renderer::Impl::start(const Work& work, const Camera& camera, const Setting
   shared::FrameConstants constants =
       makeFrameConstants(camera, scene.extents.bounds(), sky, wanted, size.x, size.y, shadows.ranges, use.jitter);
   constants.allLight = effect->bringsAllLight() ? 1 : 0;
-  constants.blends = effect->blends() ? 1 : 0;
+  constants.blends = blends(wanted) ? 1 : 0;
   constants.firstPass = use.passes.first;
-  constants.traces = static_cast<std::uint32_t>(effect->generations(wanted) - (effect->startsAtCamera() ? 1 : 0));
+  constants.traces =
+      static_cast<std::uint32_t>(effect->generations(wanted, blends(wanted)) - (effect->startsAtCamera() ? 1 : 0));
   if (effect->bringsAllLight()) constants.traces *= use.passes.count;
   if (shown == work.frame) shown.reset();
   frame.use = use;
@@ -207,6 +210,8 @@ void Renderer::Impl::start(const Work& work, const Camera& camera, const Setting
       frame.lightRays = {};
       frame.effect.directLight = {};
     }
+    // Some structures know holes.
+    if (std::exchange(tracedBlends, view.frame.blends) != view.frame.blends) change = SceneChange::everything();
     tracer->update(view, change);
     frame.batches.resize(static_cast<std::size_t>(effect->batches(view, wanted, maxRays(wanted))));
   } else {
@@ -253,6 +258,10 @@ void Renderer::Impl::finish(const Target& target) {
     warnings.push_back(std::to_string(scene.layeredMaterials) +
                        " material(s) transmit light or have a coat, which only the effects whitted and path show "
                        "(trace.effect)");
+  if (scene.blendingMaterials > 0 && frame.host.blends == 0)
+    warnings.push_back(std::to_string(scene.blendingMaterials) +
+                       " material(s) with alphaMode BLEND are cut out where texture alpha times vertex alpha is below "
+                       "0.5: only traced pictures of the effects reflection, whitted and layers blend them");
   MemoryReport held;
   held.geometry = scene.geometryBytes();
   held.textures = scene.textureBytes();

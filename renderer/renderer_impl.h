@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <deque>
 #include <memory>
 #include <optional>
@@ -59,6 +60,7 @@ struct Renderer::Impl {
   std::vector<std::string> shadowWarnings;
   std::unique_ptr<Tracer> tracer;
   std::optional<Settings> tracerSettings;  // of the tracer, which is null for "none"
+  std::uint32_t tracedBlends = 0;          // FrameConstants::blends of its last frame
 
   // A frame under way, and its figures.
   struct Work {
@@ -81,6 +83,7 @@ struct Renderer::Impl {
   std::vector<shared::RayWork> readWork();
   void useTracer(const Settings& wanted);
   void useEffect(Effect wanted);
+  bool blends(const Settings& wanted) const;
   bool lightsByRays(const Settings& wanted) const;
   ShadowSettings shadowsOf(const Settings& wanted) const;
   void drawShadows(const Settings& wanted, gl::Profiler& profiler);

@@ -34,8 +34,9 @@ class RayEffect {
 
   // How many batches a frame needs so that none of its queues has more than `maxRays`.
   virtual int batches(const FrameView& view, const Settings& settings, std::uint32_t maxRays) const = 0;
-  // How many times hits may send on rays, the first rays included: at least 1.
-  virtual int generations(const Settings& settings) const = 0;
+  // How many times hits may send on rays, the first rays included: at least 1. `blends`: it composes what lies behind
+  // surfaces that blend.
+  virtual int generations(const Settings& settings, bool blends) const = 0;
 
   // Whether first rays are stored, not pixels.
   virtual bool storesFirstRays(const Settings&) const { return false; }
@@ -51,7 +52,7 @@ class RayEffect {
   // Whether it is enough to know of that generation's rays that they meet something.
   virtual bool asksForAnyHit(int) const { return false; }
   // Whether it composes what lies behind surfaces of AlphaMode::blend; if not, they are cut at a half.
-  virtual bool blends() const { return false; }
+  virtual bool blends(const Settings&, const GpuScene&) const { return false; }
 
   // Fills the queue with batch number `batch` of `batches`: first rays, their count and the size of their dispatch.
   // The G-buffer is shaded if spawnReadsShading(). Batch 0 begins the contributions, which all batches count. Allocates

@@ -20,7 +20,7 @@ struct AlphaTexels {
   std::vector<AlphaPlace> places;  // one per material
 };
 
-// `holes`: materialsWithHoles(scene). Throws Error (failed) if there are more than the device's buffer textures hold.
+// `holes`: translucencyOf(scene).holes. Throws Error (failed) if there are more than the device's buffer textures hold.
 AlphaTexels uploadAlphas(const gl::Api& api, const Scene& scene, const std::vector<bool>& holes);
 
 }  // namespace halfsilver

@@ -101,7 +101,9 @@ bool sameBytes(std::span<const shared::GpuMaterial> a, std::span<const shared::G
 }
 
 void uploadMaterials(const gl::Api& api, GpuScene& gpu, const Scene& scene, std::span<const glm::uvec4> triangles,
-                     const std::vector<bool>& holes) {
+                     const Translucency& translucency) {
+  const std::vector<bool>& holes = translucency.holes;
+  gpu.blendingMaterials = translucency.blending;
   AlphaTexels alphas = uploadAlphas(api, scene, holes);
   gpu.alphas = std::move(alphas.texels);
   std::vector<shared::GpuMaterial> materials, cut;
@@ -194,12 +196,12 @@ GpuScene uploadScene(const gl::Api& api, const Scene& scene, std::vector<PosedPa
   const std::vector<glm::uvec4> triangles = packTriangles(scene.triangles);
   gpu.triangles = gl::makeBuffer(api, std::span<const glm::uvec4>(triangles), "triangles");
 
-  const std::vector<bool> holes = materialsWithHoles(scene);
+  const Translucency translucency = translucencyOf(scene);
   MaterialTextures textures = uploadTextures(api, scene);
   gpu.textures = std::move(textures.buckets);
   gpu.textureLocations = std::move(textures.locations);
   gpu.warnings = std::move(textures.warnings);
-  uploadMaterials(api, gpu, scene, triangles, holes);
+  uploadMaterials(api, gpu, scene, triangles, translucency);
   gpu.sky = uploadSky(api, scene.sky);
   gpu.skyTable = makeSkyTable(api, scene.sky);
   gpu.emitters = makeEmitters(api, scene);
@@ -213,7 +215,7 @@ std::vector<Bounds> updateScene(const gl::Api& api, GpuScene& gpu, const Scene& 
     const bool posed = !gpu.extents.posed().empty();
     uploadMaterials(api, gpu, scene,
                     posed ? gpu.triangles.read<glm::uvec4>(scene.triangles.size()) : packTriangles(scene.triangles),
-                    materialsWithHoles(scene));
+                    translucencyOf(scene));
   }
   if (change.sky) {
     gpu.sky = uploadSky(api, scene.sky);

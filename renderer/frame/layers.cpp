@@ -1,7 +1,9 @@
 #include "frame/layers.h"
 
+#include <algorithm>
 #include <array>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace halfsilver {
@@ -66,8 +68,8 @@ std::vector<std::uint32_t> pixelsOf(const RayQueue& rays, std::uint32_t count) {
   return pixels;
 }
 
-void addHits(Image& image, const FrameView& view, const RayBatch& batch, RayReader& reader,
-             std::optional<VertexNormals>& vertexNormals) {
+void addHits(Image& image, const FrameView& view, const RayBatch& batch, std::span<const glm::vec4> normals,
+             RayReader& reader, std::optional<VertexNormals>& vertexNormals) {
   reader.submit(view, batch.rays, 0);
   const std::span<const Ray> queue = reader.rays(view, batch.rays);
   const auto count = static_cast<std::uint32_t>(queue.size());
@@ -82,6 +84,7 @@ void addHits(Image& image, const FrameView& view, const RayBatch& batch, RayRead
   const auto width = static_cast<std::size_t>(image.width), height = static_cast<std::size_t>(image.height);
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t pixel = pixels[i];
+    if (normals[pixel].w < 0) continue;  // no reflection, see GBuffer::normal
     const std::size_t row = height - 1 - pixel / width;
     float* out = &image.data[(row * width + pixel % width) * layerCount];
     out[selectedY] = 1;
@@ -156,10 +159,10 @@ Image assembleLayers(const FrameView& view, const gl::Texture& linear, std::span
       if (position[pixel].w <= 0) continue;
       out[depthZ] = position[pixel].w;
       for (glm::length_t c = 0; c < 3; ++c) out[normalX + static_cast<std::size_t>(c)] = normal[pixel][c];
-      out[reflectivityY] = normal[pixel].w;
+      out[reflectivityY] = std::max(normal[pixel].w, 0.0f);
     }
   std::optional<VertexNormals> vertexNormals;
-  for (const RayBatch& batch : batches) addHits(image, view, batch, reader, vertexNormals);
+  for (const RayBatch& batch : batches) addHits(image, view, batch, normal, reader, vertexNormals);
   if (gbuffer.motion) image = withMotion(image, gbuffer.motion);
   if (!work.empty()) image = withWork(image, batches.front(), work);
   return image;

@@ -48,10 +48,6 @@ class Builder {
   void run() {
     for (std::size_t m = 0; m < document_.materials.size(); ++m)
       scene_.materials.push_back(material(document_.materials[m], item("materials", m)));
-    if (blended_)
-      diagnostics_.warn(std::to_string(blended_) + " material(s) with alphaMode BLEND (\"" + firstBlended_ +
-                        "\") are blended by trace.effect = layers alone; else cut out where texture alpha times vertex "
-                        "alpha is below 0.5");
   }
 
  private:
@@ -83,8 +79,6 @@ class Builder {
       result.alphaMode = AlphaMode::blend;
     else if (info.alphaMode != "OPAQUE")
       diagnostics_.warn("an unknown alphaMode is treated as OPAQUE: " + where);
-    if (result.alphaMode == AlphaMode::blend && blended_++ == 0)
-      firstBlended_ = result.name.empty() ? where : result.name;
 
     result.baseColorTexture = use(info.baseColor, true, where + ".baseColorTexture");
     result.metallicRoughnessTexture = use(info.metallicRoughness, false, where + ".metallicRoughnessTexture");
@@ -202,8 +196,6 @@ class Builder {
   Scene& scene_;
   std::map<std::pair<int, bool>, int> textures_;  // image and encoding -> texture of the scene
   std::uint64_t texels_ = 0;
-  int blended_ = 0;
-  std::string firstBlended_;
 };
 
 }  // namespace

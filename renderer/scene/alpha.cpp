@@ -59,6 +59,25 @@ float leastAlpha(const Texture& texture) {
   return static_cast<float>(least) / 255.0f;
 }
 
+// By material, the least alpha of its texture and vertices, without its factor.
+std::vector<float> leastAlphas(const Scene& scene) {
+  std::vector<float> least(scene.materials.size(), std::numeric_limits<float>::max());  // of vertices
+  for (const Triangle& triangle : scene.triangles)
+    if (scene.materials[triangle.material].alphaMode != AlphaMode::opaque)
+      for (const std::uint32_t vertex : triangle.vertices)
+        least[triangle.material] = std::min(least[triangle.material], scene.vertices[vertex].color.a);
+
+  std::map<int, float> textures;
+  for (std::size_t m = 0; m < scene.materials.size(); ++m) {
+    const int texture = scene.materials[m].baseColorTexture.texture;
+    if (scene.materials[m].alphaMode == AlphaMode::opaque || texture < 0) continue;
+    const auto [place, isNew] = textures.try_emplace(texture, 0.0f);
+    if (isNew) place->second = leastAlpha(*scene.textures[static_cast<std::size_t>(texture)]);
+    least[m] *= place->second;
+  }
+  return least;
+}
+
 }  // namespace
 
 bool cutAway(const Scene& scene, std::uint32_t triangle, glm::vec2 barycentrics, bool blends) {
@@ -81,33 +100,21 @@ bool cutAway(const Scene& scene, std::uint32_t triangle, glm::vec2 barycentrics,
   return alphaBelow(texel, vertexAlpha, limits.factor, limits.cutoff);
 }
 
-std::vector<bool> materialsWithHoles(const Scene& scene) {
-  std::vector<float> vertexAlpha(scene.materials.size(), std::numeric_limits<float>::max());
-  for (const Triangle& triangle : scene.triangles)
-    if (scene.materials[triangle.material].alphaMode != AlphaMode::opaque)
-      for (const std::uint32_t vertex : triangle.vertices)
-        vertexAlpha[triangle.material] = std::min(vertexAlpha[triangle.material], scene.vertices[vertex].color.a);
-
-  std::map<int, float> textures;  // smallest alpha
-  std::vector<bool> holes(scene.materials.size(), false);
+Translucency translucencyOf(const Scene& scene) {
+  const std::vector<float> least = leastAlphas(scene);
+  Translucency result{std::vector<bool>(scene.materials.size(), false), 0};
+  // Interpolation may round to slightly less than the smallest value.
+  constexpr float kRoundingSlack = 1e-5f;
   for (std::size_t m = 0; m < scene.materials.size(); ++m) {
     const Material& material = scene.materials[m];
     if (material.alphaMode == AlphaMode::opaque) continue;
-    float texel = 1;
-    if (const int texture = material.baseColorTexture.texture; texture >= 0) {
-      const auto [place, isNew] = textures.try_emplace(texture, 0.0f);
-      if (isNew) place->second = leastAlpha(*scene.textures[static_cast<std::size_t>(texture)]);
-      texel = place->second;
-    }
-    // Interpolation may round to slightly less than the smallest value.
-    const float roundingSlack = 1e-5f;
     for (const bool blends : {false, true}) {
       const Limits limits = limitsOf(material, blends);
-      const float least = texel * vertexAlpha[m] * limits.factor;
-      if (!(least >= limits.cutoff + roundingSlack)) holes[m] = true;
+      if (!(least[m] * limits.factor >= limits.cutoff + kRoundingSlack)) result.holes[m] = true;
     }
+    result.blending += material.alphaMode == AlphaMode::blend && least[m] * material.baseColor.a < 1;
   }
-  return holes;
+  return result;
 }
 
 }  // namespace halfsilver

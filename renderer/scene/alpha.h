@@ -13,8 +13,11 @@ namespace halfsilver {
 // cheap enough to be called for every candidate of a ray. `blends`: FrameConstants::blends.
 bool cutAway(const Scene& scene, std::uint32_t triangle, glm::vec2 barycentrics, bool blends = false);
 
-// One flag per material: whether cutAway() can be true on any of its triangles, blended or not. Reads all texels of
-// such materials.
-std::vector<bool> materialsWithHoles(const Scene& scene);
+// Reads all texels of the materials that are not opaque.
+struct Translucency {
+  std::vector<bool> holes;  // per material: whether cutAway() can be true on any of its triangles, blended or not
+  std::uint32_t blending;   // how many materials of AlphaMode::blend are not opaque everywhere
+};
+Translucency translucencyOf(const Scene& scene);
 
 }  // namespace halfsilver

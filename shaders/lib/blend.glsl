@@ -12,14 +12,19 @@ struct Blend {
 };
 
 // `position` and `normal` as the G-buffer has them.
-Blend blendOf(ivec2 pixel, vec4 position, vec3 normal) {
+Blend blendOf(ivec2 pixel, vec4 position, vec4 facing) {
+  vec3 normal = facing.xyz;
   vec4 shaded = texelFetch(gShaded, pixel, 0);
   vec4 material = texelFetch(gMaterial, pixel, 0);
   bool unlit = material.a < 0.0;
-  if (position.w <= 0.0 || unlit) return Blend(shaded.rgb, vec3(0.0), vec3(0.0));
+  if (position.w <= 0.0 || unlit && !goesOn(facing)) return Blend(shaded.rgb, vec3(0.0), vec3(0.0));
   vec3 direction = normalize(position.xyz - frame.eye);
   float cosine = -dot(normal, direction);
   vec3 share = reflectionShare(material.rgb, material.a, cosine);
   vec3 sky = skyRadiance(reflect(direction, normal), material.a) * shaded.a;
-  return Blend((1.0 - share) * shaded.rgb + skyShare(material.rgb, material.a, cosine) * sky, share, sky);
+  vec3 base = (1.0 - share) * shaded.rgb + skyShare(material.rgb, material.a, cosine) * sky;
+  if (!goesOn(facing)) return Blend(base, share, sky);
+  // What is traced lies behind the surface.
+  float alpha = alphaOf(facing);
+  return Blend(alpha * (unlit ? shaded.rgb : base + share * sky), vec3(1.0 - alpha), skyRadiance(direction, 0.0));
 }

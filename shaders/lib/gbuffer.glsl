@@ -7,3 +7,7 @@ layout(binding = UNIT_BASE_COLOR) uniform sampler2D gBaseColor;
 layout(binding = UNIT_MATERIAL) uniform sampler2D gMaterial;
 layout(binding = UNIT_EMISSIVE) uniform sampler2D gEmissive;
 layout(binding = UNIT_VISIBILITY) uniform usampler2D gVisibility;
+
+// Of gNormal: whether the pixel's ray goes on behind its surface, and the surface's alpha.
+bool goesOn(vec4 normal) { return normal.w < 0.0; }
+float alphaOf(vec4 normal) { return normal.w < 0.0 ? -normal.w : 1.0; }

@@ -23,7 +23,7 @@ Surface surfaceOfPixel(ivec2 pixel, vec3 position) {
   s.roughness = material.a;
   s.metallic = emissive.a;
   s.occlusion = baseColor.a;
-  s.reflectivity = normal.w;
+  s.reflectivity = max(normal.w, 0.0);
   s.unlit = material.a < 0.0;
   leaveOutLayers(s);
   return s;

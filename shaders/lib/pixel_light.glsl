@@ -20,9 +20,9 @@ vec4 neighbors(ivec2 pixel, vec4 position, vec3 normal) {
     for (int x = -REACH; x <= REACH; ++x) {
       ivec2 other = pixel + ivec2(x, y);
       if (any(lessThan(other, ivec2(0))) || any(greaterThanEqual(other, ivec2(frame.width, frame.height)))) continue;
-      vec4 traced = texelFetch(gReflection, other, 0);
-      if (traced.a <= 0.0) continue;
-      float cosine = max(dot(normal, texelFetch(gNormal, other, 0).xyz), 0.0);
+      vec4 traced = texelFetch(gReflection, other, 0), facing = texelFetch(gNormal, other, 0);
+      if (traced.a <= 0.0 || goesOn(facing)) continue;
+      float cosine = max(dot(normal, facing.xyz), 0.0);
       float offPlane = abs(dot(normal, texelFetch(gPosition, other, 0).xyz - position.xyz)) / pixelWidth;
       float weight = exp(-0.5 * float(x * x + y * y) - offPlane) * pow(cosine, ALIKE);
       sum += weight * vec4(traced.rgb, 1.0);
@@ -34,9 +34,9 @@ PixelLight pixelLight(ivec2 pixel) {
   vec4 traced = texelFetch(gReflection, pixel, 0);
   if (frame.allLight != 0u && traced.a > 0.0) return PixelLight(traced.rgb, vec3(0.0));
   vec4 position = texelFetch(gPosition, pixel, 0);
-  vec3 normal = texelFetch(gNormal, pixel, 0).xyz;
-  Blend blend = blendOf(pixel, position, normal);
+  vec4 facing = texelFetch(gNormal, pixel, 0);
+  Blend blend = blendOf(pixel, position, facing);
   if (blend.share == vec3(0.0)) return PixelLight(blend.base, vec3(0.0));
-  if (traced.a <= 0.0 && frame.allLight == 0u && frame.fill == FILL_NEIGHBORS) traced = neighbors(pixel, position, normal);
+  if (traced.a <= 0.0 && frame.allLight == 0u && frame.fill == FILL_NEIGHBORS) traced = neighbors(pixel, position, facing.xyz);
   return PixelLight(blend.base, blend.share * (traced.a > 0.0 ? traced.rgb : blend.sky));
 }

@@ -9,13 +9,34 @@ layout(std430, binding = SSBO_RAYS) readonly buffer RayBlock { uvec4 rayRows[]; 
 
 uint pixelOfRay(uint index) { return rayRows[index >> 2][index & 3u]; }
 
-// The mirror image of the line from the eye to the pixel's surface. `precise`: every program must see the same ray.
+// On behind a surface, from so far before it that what lies on it is found.
+Ray rayBehind(vec3 position, vec3 direction, uint triangle) {
+  precise vec3 origin = position - 2.0 * frame.minDistance * direction;
+  return Ray(origin, FAR_AWAY, direction, triangle);
+}
+
+// Whether a surface that blends, hit by such a ray, is the one that it began on: on an edge that two triangles share.
+bool beganOn(uint kind, float t) { return kind == RAY_THROUGH && t < 3.0 * frame.minDistance; }
+
+// The mirror image of the line from the eye to the pixel's surface, or the same way on behind a surface that blends.
+// `precise`: every program must see the same ray.
 Ray mirrorRay(uint number) {
   ivec2 pixel = ivec2(number % frame.width, number / frame.width);
   vec3 position = texelFetch(gPosition, pixel, 0).xyz;
+  vec4 normal = texelFetch(gNormal, pixel, 0);
+  uint triangle = texelFetch(gVisibility, pixel, 0).x - 1u;
   precise vec3 fromEye = normalize(position - frame.eye);
-  precise vec3 direction = normalize(reflect(fromEye, texelFetch(gNormal, pixel, 0).xyz));
-  return Ray(position, FAR_AWAY, direction, texelFetch(gVisibility, pixel, 0).x - 1u);
+  if (goesOn(normal)) return rayBehind(position, fromEye, triangle);
+  precise vec3 direction = normalize(reflect(fromEye, normal.xyz));
+  return Ray(position, FAR_AWAY, direction, triangle);
+}
+
+// What an effect would have stored of it.
+RayPath pixelPath(uint number, uint slot) {
+  ivec2 pixel = ivec2(number % frame.width, number / frame.width);
+  bool behind = goesOn(texelFetch(gNormal, pixel, 0));
+  return RayPath(vec3(1.0), length(texelFetch(gPosition, pixel, 0).xyz - frame.eye), number,
+                 behind ? RAY_THROUGH : RAY_REFLECTION, slot, behind ? 0u : 1u);
 }
 
 // From the eye to the pixel's surface.

@@ -23,7 +23,8 @@ void main() {
     Surface s = evaluateSurface(visible - 1u, point.barycentrics, normalize(point.relative), frame.pixelCone * range,
                                 BASE_TEXTURES);
     position = vec4(point.position, dot(point.relative, frame.forward));
-    normal = vec4(s.normal, s.reflectivity);
+    bool goesOn = frame.blends != 0u && frame.allLight == 0u && s.alpha < 1.0;
+    normal = vec4(s.normal, goesOn ? -s.alpha : s.reflectivity);
     baseColor = vec4(s.baseColor, s.occlusion);
     material = vec4(s.f0, s.unlit ? -1.0 : s.roughness);
     emissive = vec4(s.emissive, s.metallic);

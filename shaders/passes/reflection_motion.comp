@@ -23,6 +23,20 @@ vec3 normalBefore(uint triangle, vec3 normal) {
   return normalize(normal + (dot(now, normal) < 0.0 ? now - before : before - now));
 }
 
+// Of what is seen through a surface.
+vec4 motionBehind(Ray ray, Hit hit) {
+  if (hit.triangle == NO_TRIANGLE)
+    return vec4(seenAt(ray.direction, frame) - seenAt(ray.direction, previousFrame), vec2(VERY_FAR));
+  vec3 hitNow = ray.origin + hit.t * ray.direction, hitBefore = hitNow;
+#ifndef HIT_SURFACES
+  vec3 now, before;
+  pointThenAndNow(hit.triangle, vec2(hit.u, hit.v), now, before);
+  hitBefore += before - now;
+#endif
+  return vec4(motionOf(hitNow, hitBefore), dot(hitNow - frame.eye, frame.forward),
+              dot(hitBefore - previousFrame.eye, previousFrame.forward));
+}
+
 vec3 mirrored(vec3 point, vec3 onPlane, vec3 normal) { return point - 2.0 * dot(point - onPlane, normal) * normal; }
 
 void main() {
@@ -34,7 +48,12 @@ void main() {
   Hit hit = hits[index];
   if (hit.triangle == NO_TRIANGLE && hit.t != HIT_MISS) return;  // given up: it shows the sky's stand-in
 
-  vec3 normal = texelFetch(gNormal, pixel, 0).xyz;
+  vec4 facing = texelFetch(gNormal, pixel, 0);
+  vec3 normal = facing.xyz;
+  if (goesOn(facing)) {
+    imageStore(motionImage, pixel, motionBehind(ray, hit));
+    return;
+  }
   vec3 then = normalBefore(ray.excluded, normal);
   vec2 barycentrics = pointOnTriangle(ray.excluded, frame.eye, pixelRay(pixel)).barycentrics;
   vec3 mirrorNow, mirrorBefore;

@@ -28,14 +28,14 @@ struct RayPath {
   uint pixel;        // y * width + x, row 0 at the bottom
   uint kind;         // RAY_...
   uint slot;         // where its light is summed; no two rays of a dispatch share one
-  uint padding;
+  uint bounces;      // reflections on the way, its own included
 };
 #define RAY_REFLECTION 0u
 #define RAY_REFRACTION 1u
 #define RAY_SHADOW 2u
 #define RAY_OCCLUSION 3u
 #define RAY_SCATTERED 4u  // a path's next stretch
-#define RAY_THROUGH 5u    // the camera's, behind what it has met
+#define RAY_THROUGH 5u    // the same way on, behind a surface
 #define RAY_KINDS 8
 
 // The same of a ray whose light is added to its pixel's LightSum. As large as a RayPath, pixel and kind in the same

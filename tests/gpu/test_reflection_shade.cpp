@@ -232,6 +232,7 @@ TEST_F(ReflectionShade, StoredSurfacesReplaceTheTrianglesOwn) {
 
 // First rays are pixels of the G-buffer: their light is that of the same rays, stored.
 TEST_F(ReflectionShade, PixelsAreShadedAsTheRaysThatStartThere) {
+  settings.trace.bounces = 2;
   setUp(glowing(mirror(0.5f), {0.9f, 0.3f, 0.1f}), 31, 17);
   RayQueue pixelQueue;
   reflectionEffect.spawn(view(), 0, 1, pixelQueue, effectFrame_);
@@ -244,7 +245,7 @@ TEST_F(ReflectionShade, PixelsAreShadedAsTheRaysThatStartThere) {
   std::vector<shared::RayPath> paths;
   std::vector<shared::Hit> found;
   for (std::uint32_t i = 0; i < count; ++i) {
-    paths.push_back({vec3(1), glm::distance(rays[i].origin, frame.eye), numbers[i], RAY_REFLECTION, i, 0});
+    paths.push_back({vec3(1), glm::distance(rays[i].origin, frame.eye), numbers[i], RAY_REFLECTION, i, 1});
     found.push_back(i % 3 == 0 ? kMiss : i % 7 == 0 ? kOverflow : shared::Hit{0.5f, 0, 0.3f, 0.3f});
   }
   const RayQueue stored = makeQueue(api, {rays.begin(), rays.end()}, paths);

@@ -96,7 +96,7 @@ TEST(Alpha, FactorAndVertexColor) {
   EXPECT_TRUE(cutAway(scene, 0, {0.25f, 0.75f}, true));
   scene.materials[0].baseColor.a = 0;
   EXPECT_TRUE(cutAway(scene, 0, {0.25f, 0.25f}, true));
-  EXPECT_TRUE(materialsWithHoles(scene)[0]);
+  EXPECT_TRUE(translucencyOf(scene).holes[0]);
   scene.materials[0].alphaMode = AlphaMode::opaque;
   EXPECT_FALSE(cutAway(scene, 0, {0.25f, 0.75f}));
 }
@@ -112,9 +112,9 @@ TEST(Alpha, MaterialsWithHoles) {
   plain.baseColor.a = 0.3f;
   scene.materials.insert(scene.materials.end(), {opaque, full, plain});
   for (std::uint32_t m = 1; m < 4; ++m) scene.triangles.push_back({{0, 1, 2}, m});
-  EXPECT_EQ(materialsWithHoles(scene), (std::vector<bool>{true, false, false, true}));
+  EXPECT_EQ(translucencyOf(scene).holes, (std::vector<bool>{true, false, false, true}));
   scene.vertices[1].color.a = 0.1f;
-  EXPECT_EQ(materialsWithHoles(scene), (std::vector<bool>{true, false, true, true}));
+  EXPECT_EQ(translucencyOf(scene).holes, (std::vector<bool>{true, false, true, true}));
 }
 
 }  // namespace

@@ -15,8 +15,8 @@ class LayersEffect final : public CameraEffect {
   explicit LayersEffect(const gl::Api& api) : CameraEffect(api), api_(&api) {}
 
   int batches(const FrameView& view, const Settings& settings, std::uint32_t maxRays) const override;
-  int generations(const Settings& settings) const override { return settings.effect.layers; }
-  bool blends() const override { return true; }
+  int generations(const Settings& settings, bool) const override { return settings.effect.layers; }
+  bool blends(const Settings&, const GpuScene&) const override { return true; }
   // Section "shade".
   void shade(const FrameView& view, const Settings& settings, const RayQueue& rays, const Hits& hits,
              const RayStep& step, RayQueue* next, EffectFrame& frame) override;

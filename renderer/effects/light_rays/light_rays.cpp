@@ -14,7 +14,9 @@ constexpr int kPassed = 4;
 
 bool extended(const Light& light) { return light.type == LightType::rectangle || light.type == LightType::sphere; }
 
-int generations(const GpuScene& scene) { return scene.layeredMaterials > 0 ? 1 + kPassed : 1; }
+int generations(const FrameView& view) {
+  return view.scene.layeredMaterials > 0 || view.frame.blends != 0 ? 1 + kPassed : 1;
+}
 
 // Surfaces that send rays at once: pixels of a band, or rays of a batch.
 std::uint32_t sourcesOf(const FrameView& view, int batches) {
@@ -61,7 +63,7 @@ std::uint32_t LightRays::traces(const FrameView& view, std::span<const Light> li
             [&](auto...) { groups += static_cast<std::uint32_t>(pixelBands(view)); });
   eachGroup(view, lights, std::max(1u, capacity / sourcesOf(view, 1)),
             [&](auto...) { groups += static_cast<std::uint32_t>(bounces); });
-  return groups * static_cast<std::uint32_t>(generations(view.scene));
+  return groups * static_cast<std::uint32_t>(generations(view));
 }
 
 // What all sources of rays have bound.
@@ -131,8 +133,8 @@ void LightRays::lightPixels(const FrameView& view, std::span<const Light> lights
 }
 
 void LightRays::lightHits(const FrameView& view, std::span<const Light> lights, const Trace& trace,
-                          const RayQueue& rays, const Hits& hits, const RayStep& step, EffectFrame& effect,
-                          LightRayFrame& frame) {
+                          const RayQueue& rays, const Hits& hits, const RayStep& step, bool passesOn,
+                          EffectFrame& effect, LightRayFrame& frame) {
   const Band band = bandOf(view.gbuffer, step.batch, effect.batches);
   const std::size_t bytes = band.pixels * sizeof(shared::LightSum);
   if (effect.directLight.bytes() != bytes) effect.directLight = gl::Buffer(*api_, bytes, "direct light of hits");
@@ -154,6 +156,7 @@ void LightRays::lightHits(const FrameView& view, std::span<const Light> lights, 
               follow(view, trace, effect.directLight, band.firstPixel, capacity, frame, [&] {
                 begin(program, view, {first, count, ray}, capacity, frame);
                 program.set("generation", static_cast<unsigned>(step.generation));
+                program.set("passesOn", passesOn ? 1u : 0u);
                 view.bindRays(rays);
                 if (!ofPixels) rays.paths.bindStorage(SSBO_PATHS);
                 hits.hits.bindStorage(SSBO_HITS);
@@ -173,7 +176,7 @@ void LightRays::follow(const FrameView& view, const Trace& trace, const gl::Buff
     spawn();
     count_.run(frame.queues[0]);
   }
-  const int all = generations(view.scene);
+  const int all = generations(view);
   for (int generation = 0; generation < all; ++generation) {
     const bool last = generation + 1 == all;
     const RayQueue& rays = frame.queues[static_cast<std::size_t>(generation % 2)];

@@ -45,8 +45,9 @@ class LightRays {
   void lightPixels(const FrameView& view, std::span<const Light> lights, const Trace& trace, int batches,
                    LightRayFrame& frame);
   // What the reflected rays of a step hit: adds to EffectFrame::directLight, which the first generation begins.
+  // `passesOn`: rays go on behind what blends.
   void lightHits(const FrameView& view, std::span<const Light> lights, const Trace& trace, const RayQueue& rays,
-                 const Hits& hits, const RayStep& step, EffectFrame& effect, LightRayFrame& frame);
+                 const Hits& hits, const RayStep& step, bool passesOn, EffectFrame& effect, LightRayFrame& frame);
 
  private:
   // Rays to `count` lights; for those that have an extent the one of that number.

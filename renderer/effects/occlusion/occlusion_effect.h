@@ -13,7 +13,7 @@ class OcclusionEffect final : public CameraEffect {
   explicit OcclusionEffect(const gl::Api& api);
 
   int batches(const FrameView& view, const Settings& settings, std::uint32_t maxRays) const override;
-  int generations(const Settings&) const override { return 2; }
+  int generations(const Settings&, bool) const override { return 2; }
   bool showsLayers() const override { return true; }  // it shows no materials at all
   bool asksForAnyHit(int generation) const override { return generation > 0; }
   // Section "shade".

@@ -17,7 +17,7 @@ class PathEffect final : public CameraEffect {
 
   int batches(const FrameView& view, const Settings& settings, std::uint32_t maxRays) const override;
   // Surfaces after the camera's: trace.bounces, then what their rays find.
-  int generations(const Settings& settings) const override { return settings.trace.bounces + 2; }
+  int generations(const Settings& settings, bool) const override { return settings.trace.bounces + 2; }
   bool showsLayers() const override { return true; }
   // Section "shade".
   void shade(const FrameView& view, const Settings& settings, const RayQueue& rays, const Hits& hits,

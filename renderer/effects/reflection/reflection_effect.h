@@ -16,12 +16,18 @@ namespace halfsilver {
 // to a fraction that is scattered evenly or lies around the center, and to those whose reflection contributes enough to
 // the shaded picture. Hits are shaded with the lights and textures of the deferred pass and blended along the path as
 // the composite pass blends pixels: at each hit (1 - W) of its shading, and W of what its reflected ray finds or, at
-// the end of the path, of the visible sky.
+// the end of the path, of the visible sky. A surface that blends sends its ray on behind it instead, and reflects the
+// sky.
 class ReflectionEffect final : public RayEffect {
  public:
   explicit ReflectionEffect(const gl::Api& api);
 
-  int generations(const Settings& settings) const override { return settings.trace.bounces; }
+  int generations(const Settings& settings, bool blends) const override {
+    return settings.trace.bounces + (blends ? kBlended : 0);
+  }
+  bool blends(const Settings& settings, const GpuScene& scene) const override {
+    return scene.blendingMaterials > 0 && settings.select.mode != SelectMode::none && settings.trace.method != "none";
+  }
   int batches(const FrameView& view, const Settings& settings, std::uint32_t maxRays) const override {
     return bandCount(view.gbuffer, maxRays / perPixel(settings));
   }
@@ -44,6 +50,9 @@ class ReflectionEffect final : public RayEffect {
                std::uint32_t slotsPerPixel, int batch = 0);
 
  private:
+  // Surfaces that blend on a path, at most; one more is opaque.
+  static constexpr int kBlended = 4;
+
   const gl::Program& shading(const GpuScene& scene, bool first, bool ofPixels, bool surfaces, bool next);
   static std::uint32_t perPixel(const Settings& settings) {
     return settings.effect.glossy ? static_cast<std::uint32_t>(settings.effect.samples) : 1;

@@ -25,7 +25,9 @@ int WhittedEffect::batches(const FrameView& view, const Settings&, std::uint32_t
 }
 
 // The camera's hits, those of the depth, and what their rays to lights meet.
-int WhittedEffect::generations(const Settings& settings) const { return 1 + settings.trace.bounces + 1 + kPassed; }
+int WhittedEffect::generations(const Settings& settings, bool) const {
+  return 1 + settings.trace.bounces + 1 + kPassed;
+}
 
 const gl::Program& WhittedEffect::shading(const GpuScene& scene, bool camera, bool surfaces, bool last) {
   std::optional<SurfacePrograms>& programs = shade_[camera][surfaces][last];

@@ -15,8 +15,9 @@ class WhittedEffect final : public CameraEffect {
   explicit WhittedEffect(const gl::Api& api);
 
   int batches(const FrameView& view, const Settings&, std::uint32_t maxRays) const override;
-  int generations(const Settings& settings) const override;
+  int generations(const Settings& settings, bool) const override;
   bool showsLayers() const override { return true; }
+  bool blends(const Settings&, const GpuScene& scene) const override { return scene.blendingMaterials > 0; }
   // Section "shade".
   void shade(const FrameView& view, const Settings& settings, const RayQueue& rays, const Hits& hits,
              const RayStep& step, RayQueue* next, EffectFrame& frame) override;

@@ -38,6 +38,7 @@ struct GpuScene {
   DrawClusters clusters;                          // of the draw list
   std::vector<shared::GpuMaterial> cutMaterials;  // those with holes
   std::uint32_t layeredMaterials = 0;             // that transmit or have a coat
+  std::uint32_t blendingMaterials = 0;            // of AlphaMode::blend that are not opaque everywhere
   std::uint32_t casters = 0;  // counts changes of what casts shadows but for moves: of the draw list and of holes
   std::vector<gl::Texture> textures;  // buckets of equal size, at most TEXTURE_BUCKETS
   gl::TexelBuffer alphas;             // of the textures that cut holes, see GpuMaterial::alphaFirst
@@ -95,7 +96,8 @@ struct GBuffer {
   gl::Texture depth;       // D32F, of the rasterization; reversed: 1 at the near plane, 0 far away
   gl::Texture visibility;  // R32UI: triangle + 1, or 0
   gl::Texture position;    // RGBA32F: xyz, w meters along the view axis; w = 0 if there is no surface
-  gl::Texture normal;      // RGBA32F: shading normal, w reflectivity (faded by roughness)
+  gl::Texture normal;      // RGBA32F: shading normal, w reflectivity (faded by roughness); -alpha where a ray goes on
+                           // behind a surface that blends
   gl::Texture baseColor;   // RGBA16F: rgb, a occlusion
   gl::Texture material;    // RGBA16F: f0 rgb, roughness; -1 for unlit
   gl::Texture emissive;    // RGBA16F: rgb, a metallic

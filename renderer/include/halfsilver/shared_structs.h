@@ -32,6 +32,7 @@ HALFSILVER_AT(RayPath, pathLength, 12);
 HALFSILVER_AT(RayPath, pixel, 16);
 HALFSILVER_AT(RayPath, kind, 20);
 HALFSILVER_AT(RayPath, slot, 24);
+HALFSILVER_AT(RayPath, bounces, 28);
 static_assert(sizeof(RayPath) == 32);
 
 HALFSILVER_AT(Radiance, sum, 0);

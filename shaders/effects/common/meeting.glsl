@@ -76,7 +76,10 @@ Meeting meetingOf(uint index, Ray ray, Hit hit, ScatteredPath path) {
 // A light that has a place may be inside a volume.
 float wayToLight(Ray ray) { return ray.maxDistance < FAR_AWAY ? ray.maxDistance : 0.0; }
 
-bool isClear(Hit hit) { return (materials[triangleAt(hit.triangle).w].flags & MATERIAL_TRANSMISSIVE) != 0u; }
+bool isClear(Hit hit) {
+  uint clear = frame.blends != 0u ? MATERIAL_TRANSMISSIVE | MATERIAL_BLEND : MATERIAL_TRANSMISSIVE;
+  return (materials[triangleAt(hit.triangle).w].flags & clear) != 0u;
+}
 
 const float COAT_INDEX = 1.5;
 

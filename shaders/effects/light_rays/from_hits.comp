@@ -18,6 +18,7 @@ layout(std430, binding = SSBO_RAY_COUNT) readonly buffer RayCountBlock { RayCoun
 layout(std430, binding = SSBO_HITS) readonly buffer HitBlock { Hit hits[]; };
 
 uniform uint generation;  // of the rays
+uniform uint passesOn;    // rays go on behind what blends
 
 void main() {
   uint index = (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * gl_WorkGroupSize.x + gl_LocalInvocationID.x;
@@ -26,7 +27,7 @@ void main() {
   if (hit.triangle == NO_TRIANGLE) return;
 #ifdef PIXEL_QUEUE
   Ray ray = queuedRay(index, RAYS_OF_PIXELS);
-  RayPath path = RayPath(vec3(1.0), length(ray.origin - frame.eye), pixelOfRay(index), RAY_REFLECTION, 0u, 0u);
+  RayPath path = pixelPath(pixelOfRay(index), 0u);
 #else
   Ray ray = queuedRay(index, RAYS_STORED);
   RayPath path = paths[index];
@@ -41,6 +42,8 @@ void main() {
   // Slots of a pixel lie side by side in an order of their own.
   uint ofPixel = path.slot % max(frame.glossySamples, 1u);
   vec3 share = reflectionShare(s.f0, s.roughness, -dot(s.normal, ray.direction));
-  sendToLights(s, -ray.direction, hit.triangle, path.pixel, path.throughput * (1.0 - share), pathLength,
+  bool behind = frame.blends != 0u && passesOn != 0u && s.alpha < 1.0;
+  float covers = !behind ? 1.0 : beganOn(path.kind, hit.t) ? 0.0 : s.alpha;
+  sendToLights(s, -ray.direction, hit.triangle, path.pixel, path.throughput * (1.0 - share) * covers, pathLength,
                joined(joined(1u, generation), ofPixel));
 }

@@ -5,7 +5,7 @@
 #include "shared/structs.h"
 
 // What the reflection of something as bright as white adds to the displayed color: 0..1, the largest of its components.
-float wholeContribution(ivec2 pixel, vec4 position, vec3 normal) {
+float wholeContribution(ivec2 pixel, vec4 position, vec4 normal) {
   Blend blend = blendOf(pixel, position, normal);
   vec3 added = displayed(blend.base + blend.share / frame.exposure) - displayed(blend.base);
   return max(max(added.r, added.g), added.b);
@@ -15,7 +15,7 @@ float wholeContribution(ivec2 pixel, vec4 position, vec3 normal) {
 // same everywhere must not vanish at once.
 const float EQUAL_OCTAVES = 0.25;
 
-float contributionOf(ivec2 pixel, vec4 position, vec3 normal) {
+float contributionOf(ivec2 pixel, vec4 position, vec4 normal) {
   return wholeContribution(pixel, position, normal) * exp2(-EQUAL_OCTAVES * scatteredThreshold(uvec2(pixel)));
 }
 

@@ -16,21 +16,23 @@ void main() {
   if (any(greaterThanEqual(pixel, ivec2(frame.width, frame.height)))) return;
   vec4 traced = texelFetch(gReflection, pixel, 0);
   float roughness = texelFetch(gMaterial, pixel, 0).a;
-  if (traced.a > 0.0 && roughness > 0.0) {
+  vec4 facing = texelFetch(gNormal, pixel, 0);
+  if (traced.a > 0.0 && roughness > 0.0 && !goesOn(facing)) {
     vec4 position = texelFetch(gPosition, pixel, 0);
-    vec3 normal = texelFetch(gNormal, pixel, 0).xyz;
+    vec3 normal = facing.xyz;
     float deviation = WIDEST * min(roughness / WIDE_ROUGHNESS, 1.0), pixelWidth = position.w * frame.pixelCone;
     vec4 sum = vec4(0.0);
     for (int y = -REACH; y <= REACH; ++y)
       for (int x = -REACH; x <= REACH; ++x) {
         ivec2 other = clamp(pixel + ivec2(x, y), ivec2(0), ivec2(frame.width, frame.height) - 1);
         vec4 light = texelFetch(gReflection, other, 0);
-        float cosine = max(dot(normal, texelFetch(gNormal, other, 0).xyz), 0.0);
+        vec4 otherFacing = texelFetch(gNormal, other, 0);
+        float cosine = max(dot(normal, otherFacing.xyz), 0.0);
         float offPlane = abs(dot(normal, texelFetch(gPosition, other, 0).xyz - position.xyz)) / pixelWidth;
         float unlike = abs(texelFetch(gMaterial, other, 0).a - roughness);
         float weight = exp(-0.5 * float(x * x + y * y) / (deviation * deviation) - offPlane - 40.0 * unlike) *
                        pow(cosine, 64.0);
-        if (light.a > 0.0) sum += weight * vec4(light.rgb, 1.0);
+        if (light.a > 0.0 && !goesOn(otherFacing)) sum += weight * vec4(light.rgb, 1.0);
       }
     traced.rgb = sum.rgb / sum.a;  // the pixel itself has the weight 1
   }

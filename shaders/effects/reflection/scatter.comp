@@ -20,21 +20,25 @@ void main() {
   if (index == 0u) {
     nextCount.count = rayCount.count * frame.glossySamples;
     nextCount.reflecting = rayCount.reflecting;
-    nextCount.byKind[RAY_REFLECTION] += rayCount.count * frame.glossySamples;
+    uint behind = rayCount.byKind[RAY_THROUGH];
+    nextCount.byKind[RAY_REFLECTION] += (rayCount.count - behind) * frame.glossySamples;
+    nextCount.byKind[RAY_THROUGH] += behind * frame.glossySamples;
   }
   uint number = pixelOfRay(index);
   ivec2 pixel = ivec2(number % frame.width, number / frame.width);
   vec4 material = texelFetch(gMaterial, pixel, 0);
   float alpha = material.a * material.a;
   Ray ray = mirrorRay(number);
-  vec3 fromEye = ray.origin - frame.eye, normal = texelFetch(gNormal, pixel, 0).xyz;
+  vec4 stored = texelFetch(gNormal, pixel, 0);
+  bool behind = goesOn(stored);
+  vec3 fromEye = ray.origin - frame.eye, normal = stored.xyz;
   vec3 toEye = -normalize(fromEye), x, y;
   frameAround(normal, x, y);
   vec3 v = vec3(dot(toEye, x), dot(toEye, y), max(dot(toEye, normal), 1e-4));
   vec3 facing = fresnelSchlick(material.rgb, v.z);  // what the blend scales the mean by
   for (uint i = 0u; i < frame.glossySamples; ++i) {
     vec3 weight = vec3(1.0);
-    if (!smoothLobe(alpha)) {
+    if (!smoothLobe(alpha) && !behind) {
       vec3 h = ggxVisibleNormal(v, alpha, sample2(number, frame.firstPass * frame.glossySamples + i, 0u));
       vec3 l = reflect(-v, h);
       weight = fresnelSchlick(material.rgb, dot(v, h)) / max(facing, vec3(1e-4)) *
@@ -44,6 +48,7 @@ void main() {
     }
     uint slot = index * frame.glossySamples + i;
     nextRays[slot] = ray;
-    nextPaths[slot] = RayPath(weight, length(fromEye), number, RAY_REFLECTION, slot, 0u);
+    uint kind = behind ? RAY_THROUGH : RAY_REFLECTION;
+    nextPaths[slot] = RayPath(weight, length(fromEye), number, kind, slot, behind ? 0u : 1u);
   }
 }

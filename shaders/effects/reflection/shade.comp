@@ -1,5 +1,5 @@
 // Shades what the rays found, with the lights of the deferred pass, adds it to the rays' slots and sends on the rays of
-// the next bounce.
+// the next bounce, or those that go on behind surfaces that blend.
 #include "lib/evaluate_surface.glsl"
 #include "lib/lights.glsl"
 #include "lib/queued_ray.glsl"
@@ -23,23 +23,31 @@ layout(std430, binding = SSBO_SLOTS) buffer SlotBlock { Radiance slots[]; };
 layout(std430, binding = SSBO_NEXT_RAYS) writeonly buffer NextRayBlock { Ray nextRays[]; };
 layout(std430, binding = SSBO_NEXT_PATHS) writeonly buffer NextPathBlock { RayPath nextPaths[]; };
 layout(std430, binding = SSBO_NEXT_COUNT) buffer NextCountBlock { RayCount nextCount; };
+
+// At most one per ray: as many as this queue holds.
+void sendOn(Ray ray, RayPath path) {
+  uint next = atomicAdd(nextCount.count, 1u);
+  atomicAdd(nextCount.byKind[path.kind], 1u);
+  nextRays[next] = ray;
+  nextPaths[next] = path;
+}
 #endif
 
 #ifdef PIXEL_QUEUE
 const uint raySource = RAYS_OF_PIXELS;
-RayPath loadPath(uint index, Ray ray) {
-  return RayPath(vec3(1.0), length(ray.origin - frame.eye), pixelOfRay(index), RAY_REFLECTION, index, 0u);
+RayPath loadPath(uint index) {
+  return pixelPath(pixelOfRay(index), index);
 }
 #else
 const uint raySource = RAYS_STORED;
-RayPath loadPath(uint index, Ray ray) { return paths[index]; }
+RayPath loadPath(uint index) { return paths[index]; }
 #endif
 
 void main() {
   uint index = (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * gl_WorkGroupSize.x + gl_LocalInvocationID.x;
   if (index >= rayCount.count) return;
   Ray ray = queuedRay(index, raySource);
-  RayPath path = loadPath(index, ray);
+  RayPath path = loadPath(index);
   Hit hit = hits[index];
   vec3 direction = ray.direction;
 #ifdef FIRST_GENERATION
@@ -66,6 +74,10 @@ void main() {
 #endif
   vec4 lit = directLighting(s, -direction);
   vec3 radiance = lit.rgb;
+  bool behind = false;
+#ifdef NEXT_BOUNCE
+  behind = frame.blends != 0u && s.alpha < 1.0;
+#endif
   if (!s.unlit) {
     float cosine = -dot(s.normal, direction);
     vec3 share = reflectionShare(s.f0, s.roughness, cosine);
@@ -74,15 +86,22 @@ void main() {
     radiance = (1.0 - share) * lit.rgb + skyShare(s.f0, s.roughness, cosine) * sky;
     bool sentOn = false;
 #ifdef NEXT_BOUNCE
-    if (s.reflectivity > frame.minReflectivity) {
-      uint next = atomicAdd(nextCount.count, 1u);  // at most one per ray: as many as this queue holds
-      atomicAdd(nextCount.byKind[RAY_REFLECTION], 1u);
-      nextRays[next] = Ray(s.position, FAR_AWAY, reflected, hit.triangle);
-      nextPaths[next] = RayPath(path.throughput * share, pathLength, path.pixel, path.kind, path.slot, 0u);
+    if (!behind && s.reflectivity > frame.minReflectivity && path.bounces < frame.bounces) {
+      sendOn(Ray(s.position, FAR_AWAY, reflected, hit.triangle),
+             RayPath(path.throughput * share, pathLength, path.pixel, RAY_REFLECTION, path.slot, path.bounces + 1u));
       sentOn = true;
     }
 #endif
     if (!sentOn) radiance += share * sky;
   }
+#ifdef NEXT_BOUNCE
+  if (behind) {
+    bool again = beganOn(path.kind, hit.t);
+    float covers = again ? 0.0 : s.alpha;
+    radiance *= covers;
+    sendOn(again ? Ray(s.position, FAR_AWAY, direction, hit.triangle) : rayBehind(s.position, direction, hit.triangle),
+           RayPath(path.throughput * (1.0 - covers), pathLength, path.pixel, RAY_THROUGH, path.slot, path.bounces));
+  }
+#endif
   slots[path.slot] = Radiance(sum + path.throughput * radiance, path.pixel);
 }

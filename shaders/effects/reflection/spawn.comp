@@ -1,4 +1,4 @@
-// Pixels whose reflection is traced.
+// Pixels whose reflection is traced, and all whose surface blends: their rays go on behind it.
 // With BY_CONTRIBUTION, which reads the shaded G-buffer, pixels that contribute too little are left out, and all are
 // counted by their contribution; otherwise contributions.comp counts them.
 #include "effects/common/queue_pixels.glsl"
@@ -15,21 +15,23 @@ const uint SELECT_ALL = 2u;
 void main() {
   ivec2 pixel = bandPixel();
   beginTile();
-  bool selected = false;
+  bool selected = false, behind = false;
   vec4 position = vec4(0.0), normal = vec4(0.0);
   if (all(lessThan(pixel, ivec2(frame.width, frame.height)))) {
     position = texelFetch(gPosition, pixel, 0);
     normal = texelFetch(gNormal, pixel, 0);
     bool reflects = frame.selectMode == SELECT_ALL || normal.w > frame.minReflectivity;
-    selected = frame.selectMode != 0u && position.w > 0.0 && reflects;
+    behind = goesOn(normal);
+    selected = frame.selectMode != 0u && position.w > 0.0 && reflects && !behind;
   }
   bool kept = selected && inFraction(pixel);
 #ifdef BY_CONTRIBUTION
   if (kept) {
-    float worth = contributionOf(pixel, position, normal.xyz);
+    float worth = contributionOf(pixel, position, normal);
     atomicAdd(contributions[contributionClass(worth)], 1u);
     kept = worth > frame.minContribution;
   }
 #endif
-  queuePixel(pixel, selected, kept);
+  if (behind) atomicAdd(rayCount.byKind[RAY_THROUGH], 1u);
+  queuePixel(pixel, selected, kept || behind);
 }

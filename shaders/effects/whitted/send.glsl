@@ -67,6 +67,13 @@ void sendToLights(Meeting m, vec3 base, float coat) {
   }
 }
 
+// Its alpha's share of the light comes from a surface that blends, and the rest from behind it.
+void passOn(inout Meeting m) {
+  if (frame.blends == 0u || m.s.alpha >= 1.0) return;
+  sendRay(m, RAY_THROUGH, WAY_BEHIND, m.direction, FAR_AWAY, m.throughput * (1.0 - m.s.alpha), m.before);
+  m.throughput *= m.s.alpha;
+}
+
 void shadeMeeting(Meeting m) {
   float clear = clearShare(m.s);
   vec3 tint = m.s.baseColor;

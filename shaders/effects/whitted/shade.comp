@@ -39,9 +39,12 @@ void main() {
 #ifndef LAST_GENERATION
   if (shadow && !isClear(hit)) return;
   Meeting m = meetingOf(index, ray, hit, path);
-  if (shadow)
+  if (shadow) {
     sendThrough(m, ray);
-  else if (m.s.unlit)
+    return;
+  }
+  passOn(m);
+  if (m.s.unlit)
     addLight(m.pixel, m.throughput * m.s.baseColor);
   else
     shadeMeeting(m);

@@ -1,0 +1,225 @@
+// Materials of AlphaMode::blend in the pictures of the reflection effect, and in what mirrors show.
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "gpu/light_fixture.h"
+#include "gpu/ray_witness.h"
+#include "gpu/tracing_scenes.h"
+
+namespace halfsilver::testing {
+namespace {
+
+using glm::vec3;
+
+constexpr int kWidth = 24, kHeight = 16;
+
+Material glowing(const vec3& color, float alpha = 1) {
+  Material material = plain(color);
+  material.baseColor = {color, alpha};
+  material.unlit = true;
+  material.doubleSided = true;
+  if (alpha < 1) material.alphaMode = AlphaMode::blend;
+  return material;
+}
+
+// Across the z axis.
+void addSheet(Scene& scene, float z, const Material& material, const vec3& half = vec3(9), float x = 0) {
+  addQuad(scene, {x, 0, z}, {half.x, 0, 0}, {0, half.y, 0}, addMaterial(scene, material));
+}
+
+const Camera kAlongZ = lookAt({0, 0, 2}, {0, 0, 0});
+const vec3 kBlue{0.2f, 0.2f, 1}, kWhite{1, 1, 1}, kRed{1, 0, 0}, kGreen{0, 1, 0};
+
+class BlendingTest : public WitnessTest {
+ protected:
+  Frame see(const Scene& scene, std::initializer_list<std::pair<const char*, const char*>> settings = {}) {
+    const Frame frame = draw(scene, kAlongZ, settingsWith(settings), kWidth, kHeight);
+    EXPECT_EQ(frame.report.overflow, 0u);
+    return frame;
+  }
+  static void expectColor(const Frame& frame, int x, int y, const vec3& expected, float within = 1e-3f) {
+    const char* channels[] = {"R", "G", "B"};
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(frame.at(x, y, channels[c]), expected[c], within) << x << " " << y;
+  }
+};
+
+// Two sheets before a wall whose halves differ.
+Scene sheetsBeforeWall() {
+  Scene scene;
+  scene.sky = blackSky();
+  addSheet(scene, -0.5f, glowing(kWhite, 0.4f));
+  addSheet(scene, 0, glowing(kBlue, 0.3f));
+  addSheet(scene, -1, glowing(kRed), {4, 9, 9}, -4);
+  addSheet(scene, -1, glowing(kGreen), {4, 9, 9}, 4);
+  addSheet(scene, -3, glowing(kWhite));
+  return scene;
+}
+
+vec3 throughBoth(const vec3& wall) { return 0.3f * kBlue + 0.7f * (0.4f * kWhite + 0.6f * wall); }
+
+TEST_F(BlendingTest, SheetsBlendInTheOrderOfTheirDistanceOnEveryMethod) {
+  const Scene scene = sheetsBeforeWall();
+  for (const char* method : {"identity", "exact", "bvh"}) {
+    SCOPED_TRACE(method);
+    const Frame frame = see(scene, {{"trace.method", method}});
+    expectColor(frame, 5, 8, throughBoth(kRed));
+    expectColor(frame, 18, 8, throughBoth(kGreen));
+    // None passes the wall; one more each where a ray meets the diagonal of a sheet, which is in two triangles.
+    EXPECT_GE(frame.report.rays[RAY_THROUGH], 2u * kWidth * kHeight);
+    EXPECT_LE(frame.report.rays[RAY_THROUGH], 2u * kWidth * kHeight + 3 * kHeight);
+  }
+  expectColor(see(scene, {{"trace.effect", "whitted"}}), 18, 8, throughBoth(kGreen));
+  // Attribute methods know their walls to a texel.
+  const Frame stored = see(scene, {{"trace.method", "attributes"}, {"abuffer.resolution", "256"}});
+  expectColor(stored, 5, 8, throughBoth(kRed), 5e-3f);
+}
+
+TEST_F(BlendingTest, AMirrorShowsWhatBlendsAsItIs) {
+  Scene scene;
+  scene.sky = blackSky();
+  addSheet(scene, -1, mirrorMaterial());
+  addSheet(scene, 3, glowing(kBlue, 0.3f), vec3(20));
+  addSheet(scene, 5, glowing(kRed), vec3(20));
+  const Frame frame = see(scene);
+  for (const auto& [x, y] : {std::pair{12, 8}, {4, 3}}) expectColor(frame, x, y, 0.3f * kBlue + 0.7f * kRed);
+  EXPECT_EQ(frame.report.rays[RAY_REFLECTION], static_cast<std::uint64_t>(kWidth * kHeight));
+  EXPECT_GE(frame.report.rays[RAY_THROUGH], static_cast<std::uint64_t>(kWidth * kHeight));
+}
+
+TEST_F(BlendingTest, AMirrorBehindASheetReflectsAsManyTimesAsItIsAskedTo) {
+  Scene scene;
+  scene.sky = blackSky();
+  addSheet(scene, 0, glowing(kBlue, 0.25f));
+  addSheet(scene, -1, mirrorMaterial());
+  addSheet(scene, 5, glowing(kRed), vec3(30));
+  // The mirror shows the sheet's other side, and the wall through it.
+  const vec3 mirrored = 0.25f * kBlue + 0.75f * kRed;
+  expectColor(see(scene), 12, 8, 0.25f * kBlue + 0.75f * mirrored);
+}
+
+// What is traced of a pixel that blends lies behind it: the layers of the contract speak of reflections alone.
+TEST_F(BlendingTest, PixelsThatBlendAreNotSelected) {
+  Scene scene;
+  scene.sky = blackSky();
+  addSheet(scene, 0, glowing(kBlue, 0.3f), {9, 9, 9}, -9);
+  addSheet(scene, -1, mirrorMaterial());
+  addSheet(scene, 5, glowing(kRed), vec3(30));
+  const Frame frame = see(scene);
+  const std::vector<float> selected = frame.plane("selected.Y"), t = frame.plane("hit.T"),
+                           reflectivity = frame.plane("reflectivity.Y");
+  std::uint64_t count = 0;
+  for (std::size_t i = 0; i < selected.size(); ++i) {
+    count += selected[i] > 0;
+    EXPECT_EQ(t[i] == -2, selected[i] == 0);
+    EXPECT_EQ(reflectivity[i] > 0, selected[i] > 0);
+  }
+  EXPECT_EQ(count, frame.report.selected);
+  EXPECT_EQ(count, static_cast<std::uint64_t>(kWidth * kHeight / 2));
+  expectColor(frame, 18, 8, kRed);
+  const vec3 mirrored = 0.3f * kBlue + 0.7f * kRed;
+  expectColor(frame, 3, 8, 0.3f * kBlue + 0.7f * mirrored);
+  // A share of the pixels is one of reflections.
+  const Frame few = see(scene, {{"select.fraction", "0.1"}, {"trace.bounces", "2"}});
+  expectColor(few, 3, 8, 0.3f * kBlue + 0.7f * mirrored);
+  EXPECT_LT(few.report.selected, 40u);
+}
+
+TEST_F(BlendingTest, WhatLiesOnAWallDoesNotShowWhatIsBehindTheWall) {
+  Scene scene;
+  scene.sky = blackSky();
+  addSheet(scene, 2e-5f, glowing(kBlue, 0.5f));
+  addSheet(scene, 0, glowing(kRed));
+  addSheet(scene, -1, glowing(kGreen));
+  const Frame frame = see(scene);
+  for (const auto& [x, y] : {std::pair{12, 8}, {4, 3}}) expectColor(frame, x, y, 0.5f * (kBlue + kRed));
+}
+
+TEST_F(BlendingTest, BehindManySheetsOneIsOpaque) {
+  Scene scene;
+  scene.sky = evenSky(kGreen);
+  for (int i = 0; i < 12; ++i) addSheet(scene, -0.1f * static_cast<float>(i), glowing(kBlue, 0.5f));
+  // No more of the sky than would come through all.
+  expectColor(see(scene), 12, 8, kBlue, 1e-3f);
+}
+
+TEST_F(BlendingTest, OfOpaqueOnesNothingIsTraced) {
+  Scene scene = soup(100);
+  scene.materials[1].alphaMode = AlphaMode::blend;
+  const Frame frame = draw(scene, kAbove, settingsWith({}), 64, 48);
+  EXPECT_EQ(frame.report.rays[RAY_THROUGH], 0u);
+  scene.materials[1].alphaMode = AlphaMode::opaque;
+  EXPECT_EQ(draw(scene, kAbove, settingsWith({}), 64, 48).plane("G"), frame.plane("G"));
+}
+
+TEST_F(BlendingTest, WithoutRaysTheyAreCutAtAHalf) {
+  Scene scene;
+  addSheet(scene, 0, glowing(kBlue, 0.3f));
+  addSheet(scene, -1, glowing(kRed));
+  for (const char* setting : {"select.mode", "trace.method"}) {
+    const Frame frame = see(scene, {{setting, "none"}});
+    expectColor(frame, 12, 8, kBlue);  // the factor has no say
+    ASSERT_EQ(frame.report.warnings.size(), 1u);
+    EXPECT_NE(frame.report.warnings[0].find("alphaMode BLEND"), std::string::npos);
+  }
+  EXPECT_TRUE(see(scene).report.warnings.empty());
+}
+
+TEST_F(BlendingTest, RaysToLightsPassWhatTheyLeave) {
+  Scene scene;
+  scene.sky = blackSky();
+  addSheet(scene, 0, diffuse(kWhite));
+  Material veil = diffuse(kWhite);
+  veil.baseColor.a = 0.25f;
+  veil.alphaMode = AlphaMode::blend;
+  veil.doubleSided = true;
+  addQuad(scene, {0, 3, 3}, {9, 0, 0}, {0, 3, -3}, addMaterial(scene, veil));
+  scene.lights = {sun({0, -1, -1}, 1)};
+  const Frame veiled = see(scene, {{"shadow.method", "rays"}});
+  scene.triangles.resize(2);
+  const Frame bare = see(scene, {{"shadow.method", "rays"}});
+  EXPECT_GT(bare.at(12, 8, "G"), 0.1f);
+  EXPECT_NEAR(veiled.at(12, 8, "G"), 0.75f * bare.at(12, 8, "G"), 1e-4f);
+}
+
+TEST_F(BlendingTest, ThePictureIsThatOfTheLayersEffect) {
+  Scene scene = soup(300);
+  scene.materials[1].alphaMode = AlphaMode::blend;
+  scene.materials[1].baseColor.a = 0.4f;
+  for (const char* glossy : {"false", "true"}) {
+    SCOPED_TRACE(glossy);
+    const Frame found = draw(scene, kAbove, settingsWith({{"effect.glossy", glossy}, {"effect.samples", "2"}}), 64, 48);
+    const Frame layers =
+        draw(scene, kAbove,
+             settingsWith({{"trace.effect", "layers"}, {"select.mode", "all"}, {"effect.transfer", "blend"}}), 64, 48);
+    const std::vector<float> a = found.plane("G"), b = layers.plane("G");
+    std::size_t unlike = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) unlike += std::abs(a[i] - b[i]) > 2e-3f * std::max(b[i], 0.1f);
+    EXPECT_LE(unlike, a.size() / 100);
+    EXPECT_GT(found.report.rays[RAY_THROUGH], 200u);
+    EXPECT_EQ(found.report.overflow, 0u);
+  }
+}
+
+TEST_F(BlendingTest, NoRayBehindASurfaceIsWrong) {
+  Scene scene = soup(300);
+  scene.materials[1].alphaMode = AlphaMode::blend;
+  scene.materials[1].baseColor.a = 0.4f;
+  *counts_ = {};
+  Settings settings = settingsWith({});
+  settings.trace.method = "witnessed";
+  draw(scene, kAbove, settings, 96, 72);
+  const Witness& seen = (*counts_)[RAY_THROUGH];
+  EXPECT_GT(seen.rays, 200u);
+  EXPECT_GT(seen.hits, 20u);
+  EXPECT_EQ(seen.wrong(), 0u);
+  const Frame own = draw(scene, kAbove, settingsWith({}), 96, 72),
+              exact = draw(scene, kAbove, settingsWith({{"trace.method", "exact"}}), 96, 72);
+  const std::vector<float> a = own.plane("R"), b = exact.plane("R");
+  float worst = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) worst = std::max(worst, std::abs(a[i] - b[i]));
+  EXPECT_LT(worst, 1e-6f);
+}
+
+}  // namespace
+}  // namespace halfsilver::testing
