@@ -6,6 +6,7 @@
 #include "bench/modes/demo/demo.h"
 #include "bench/modes/memory/memory.h"
 #include "bench/modes/mode.h"
+#include "bench/modes/paper/paper.h"
 #include "bench/modes/pareto/pareto.h"
 #include "bench/modes/scaling/scaling.h"
 #include "bench/modes/speed/speed.h"
@@ -16,6 +17,6 @@ int main(int argc, char** argv) {
   CLI::App program("Measures Halfsilver's methods against each other.", "halfsilver-bench");
   // In the order of the page that `all` makes.
   addModes(program, {memoryMode(), speedMode(), coverageMode(), paretoMode(), stabilityMode(), antialiasingMode(),
-                     scalingMode(), demoMode()});
+                     scalingMode(), demoMode(), paperMode()});
   return halfsilver::runCommand(program, argc, argv);
 }

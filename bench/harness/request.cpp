@@ -33,6 +33,11 @@ ViewArgument viewOf(const Request& request, const std::string& text) {
   return view;
 }
 
+void removeSceneOptions(CLI::App& command) {
+  for (const char* name : {"SCENE", "--mirror", "--camera", "--eye", "--target", "--fov", "--view"})
+    command.remove_option(command.get_option(name));
+}
+
 }  // namespace
 
 void addRequestOptions(CLI::App& command, Request& request, RequestTexts& texts) {
@@ -63,8 +68,7 @@ void addRequestOptions(CLI::App& command, Request& request, RequestTexts& texts)
 }
 
 void addReplayOptions(CLI::App& command, Request& request) {
-  for (const char* name : {"SCENE", "--mirror", "--camera", "--eye", "--target", "--fov", "--view"})
-    command.remove_option(command.get_option(name));
+  removeSceneOptions(command);
   command.add_option("REPLAY", request.replay, "What `halfsilver demo --record` wrote")->required();
   command.add_option("--frames", request.frames, "Frames to draw")->check(CLI::Range(1, 1000000));
   command
@@ -74,7 +78,18 @@ void addReplayOptions(CLI::App& command, Request& request) {
       ->check(CLI::PositiveNumber);
 }
 
+void addPaperOptions(CLI::App& command, Request& request) {
+  removeSceneOptions(command);
+  command.add_option("NAME", request.paper, "A paper, by the name of its preset, or all")->required();
+  command
+      .add_option("--scenes", request.sceneFolder,
+                  "Folder that may hold sponza.glb (default: the environment's HALFSILVER_SCENES; without it "
+                  "builtin:atrium stands for Sponza)")
+      ->envname("HALFSILVER_SCENES");
+}
+
 void checkRequest(Request& request, const RequestTexts& texts) {
+  request.sizeGiven = !texts.size.empty();
   request.size = parseSize(!texts.size.empty() ? texts.size : request.quick ? kQuickSize : kSize);
   if (!texts.eye.empty()) request.camera.eye = parseVector("--eye", texts.eye);
   if (!texts.target.empty()) request.camera.target = parseVector("--target", texts.target);

@@ -21,6 +21,7 @@ struct Request {
   std::vector<std::string> scenes;  // as `halfsilver render` names them
   std::string folder;
   Size size;
+  bool sizeGiven = false;  // not a default
   bool quick = false;
   std::string context = "auto";
   std::vector<std::string> mirrors;  // MATERIAL=REFLECTIVITY or SCENE:MATERIAL=REFLECTIVITY
@@ -31,6 +32,8 @@ struct Request {
   std::string replay;                // of demo
   std::optional<int> frames;         // of demo; default: the mode's
   double frameTime = 0;              // of demo; milliseconds to hold, 0: full quality
+  std::string paper;                 // of paper: a paper's name, or "all"
+  std::string sceneFolder;           // of paper: may hold sponza.glb
   double timeLimit = 20;             // of scaling; seconds, above 0
 };
 
@@ -50,6 +53,8 @@ struct RequestTexts {
 void addRequestOptions(CLI::App& command, Request& request, RequestTexts& texts);
 // For a command that plays a recording of the game: takes SCENE and what belongs to scenes away.
 void addReplayOptions(CLI::App& command, Request& request);
+// For a command that measures what papers have published: takes SCENE and what belongs to scenes away.
+void addPaperOptions(CLI::App& command, Request& request);
 // Parses the texts into the request. Throws Error (usage).
 void checkRequest(Request& request, const RequestTexts& texts);
 

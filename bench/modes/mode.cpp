@@ -32,6 +32,8 @@ void addCommand(CLI::App& program, const std::string& name, const std::string& d
   addRequestOptions(*command, request, shared->texts);
   if (any(&Mode::takesReplay))
     addReplayOptions(*command, request);
+  else if (any(&Mode::takesPaper))
+    addPaperOptions(*command, request);
   else if (shared->modes.size() == 1 && any(&Mode::bringsOwnScenes))
     command->get_option("SCENE")->required(false);
   if (any(&Mode::takesPresets))
@@ -130,7 +132,7 @@ void addModes(CLI::App& program, const std::vector<Mode>& modes) {
   for (const Mode& mode : modes) addCommand(program, mode.name, mode.description, {mode});
   std::vector<Mode> ofScenes;
   std::copy_if(modes.begin(), modes.end(), std::back_inserter(ofScenes),
-               [](const Mode& mode) { return !mode.takesReplay; });
+               [](const Mode& mode) { return !mode.takesReplay && !mode.takesPaper; });
   addCommand(program, "all", "All that measure scenes in turn, on one page", ofScenes);
 }
 

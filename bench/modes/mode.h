@@ -52,6 +52,7 @@ struct Mode {
   bool takesMethods = false;     // --method, see Request::methods
   bool takesTimeLimit = false;   // --time-limit, see Request::timeLimit
   bool takesReplay = false;      // a recording of the game instead of scenes; such a mode is no part of `all`
+  bool takesPaper = false;       // a paper's name instead of scenes; likewise
   bool bringsOwnScenes = false;  // if the command names none; always in `all`
   // Throws Error: a bad request must not show after an hour's work. Error (failed) excludes the mode from `all`.
   std::function<Plan(const Setup&)> plan;

@@ -1,7 +1,6 @@
 #include "bench/modes/memory/memory.h"
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -44,26 +43,6 @@ std::vector<Variant> variants(bool quick, std::size_t triangles, bool exact) {
   return all;
 }
 
-ComparisonRecord record(const Comparison& comparison) {
-  ComparisonRecord record;
-  record.rmse = comparison.rmse;
-  if (std::isfinite(comparison.psnrDb)) record.psnrDb = comparison.psnrDb;
-  record.maxError = comparison.maxError;
-  if (const auto& perceptual = comparison.perceptual) {
-    record.yeeFailures = perceptual->failures;
-    record.yeeFailFraction = perceptual->fraction;
-  }
-  const LayerComparison layers = comparison.layers.value_or(LayerComparison());
-  record.pixels = layers.pixels;
-  record.hitError = layers.hitError;
-  record.falseMiss = layers.falseMiss;
-  record.falseHit = layers.falseHit;
-  record.wrongId = layers.wrongId;
-  record.selectedMismatch = layers.selectedMismatch;
-  record.overflow = layers.overflow;
-  return record;
-}
-
 class Measurement {
  public:
   Measurement(const OutputFolder& folder, Workbench& bench) : folder_(&folder), bench_(&bench), truth_(bench) {}
@@ -76,7 +55,7 @@ class Measurement {
     if (exactFactory(scene.model.scene, 0)) {
       const Image layers = bench_->layers();
       const Image& truth = truth_.of(scene, variant.settings.select.mode).layers;
-      result.error = record(compareImages({layers, true, scene.diagonal}, {truth, true, scene.diagonal}));
+      result.error = errorOf(layers, truth, scene.diagonal);
     }
     return result;
   }

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <halfsilver/settings.h>
+#include "apps/arguments.h"
+#include "bench/harness/bench_scene.h"
+#include "bench/modes/paper/point.h"
+
+// What a paper has published, as data: its tables and figures with their numbers, and what is drawn for each row.
+namespace halfsilver::bench {
+
+// What a column of a paper's table means here.
+struct Quantity {
+  std::string name, unit;
+  double (*of)(const PaperPoint&);
+};
+
+struct PublishedRow {
+  std::string label;  // as the paper has it
+  std::string scene;  // a name of stageScenes()
+  Settings settings;
+  std::vector<std::optional<double>> values = {};  // the paper's, by column; none: not in its text, or a row of ours
+  std::optional<std::size_t> base = {};            // the row that ratios are taken over
+  bool picture = false;                            // is kept for the page
+};
+
+struct PublishedTable {
+  std::string name;  // "Table 2"
+  std::string title;
+  std::vector<Quantity> quantities;
+  std::vector<PublishedRow> rows;
+  std::vector<std::string> notes = {};  // what each column and each difference means
+};
+
+struct Paper {
+  std::string name;      // of its preset
+  std::string citation;  // authors, title, year
+  std::string machine;   // that its times are of
+  Size size;             // of its pictures
+  std::vector<PublishedTable> tables;
+  std::vector<std::string> missing;  // what it has and this page does not, and why
+};
+
+// Scenes under the names by which papers call them.
+struct PaperScenes {
+  std::vector<BenchScene> scenes;
+  std::vector<std::string> standIns;  // which scene stands for which, one line each
+
+  const BenchScene& of(const std::string& name) const;  // throws std::out_of_range
+};
+
+// `folder` may hold sponza.glb; if it does not, the atrium stands for it.
+PaperScenes paperScenes(const std::string& folder, bool quick);
+
+std::vector<Paper> publishedPapers(const PaperScenes& scenes, bool quick);
+Paper kastrati2017(const PaperScenes& scenes, bool quick);
+Paper hu2014(const PaperScenes& scenes, bool quick);
+
+// What tables have in common.
+Quantity milliseconds(std::string name, double (*of)(const PaperPoint&));
+double buildOf(const PaperPoint& point);      // milliseconds: voxelize, build
+double structureOf(const PaperPoint& point);  // megabytes
+
+}  // namespace halfsilver::bench
