@@ -80,8 +80,8 @@ std::size_t Texture::bytes() const {
 
 void Texture::bind(GLuint unit) const { api_->BindTextureUnit(unit, name_); }
 
-void Texture::bindImage(GLuint unit, GLenum access) const {
-  api_->BindImageTexture(unit, name_, 0, GL_TRUE, 0, access, shape_.format);
+void Texture::bindImage(GLuint unit, GLenum access, GLint level) const {
+  api_->BindImageTexture(unit, name_, level, GL_TRUE, 0, access, shape_.format);
 }
 
 void Texture::parameter(GLenum name, GLint value) const { api_->TextureParameteri(name_, name, value); }

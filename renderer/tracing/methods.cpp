@@ -7,6 +7,7 @@
 #include "tracing/attributes/attribute_tracer.h"
 #include "tracing/bvh/bvh_tracer.h"
 #include "tracing/identity/identity_tracer.h"
+#include "tracing/screen/screen_tracer.h"
 
 namespace halfsilver {
 namespace {
@@ -18,6 +19,7 @@ const std::vector<Method>& table() {
       AttributeTracer::method(),
       IdentityTracer::method(),
       BvhTracer::method(),
+      ScreenTracer::method(),
       {{.name = "exact", .help = "exact rays on the CPU (halfsilver::exact)"}, {}},
       {{.name = "auto", .help = "exact on a software rasterizer, otherwise identity"}, {}},
   };

@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <algorithm>
 
 #include <cmath>
 #include <filesystem>
@@ -100,10 +101,14 @@ TEST_P(EveryPreset, PictureLayersAndStatisticsAgree) {
 INSTANTIATE_TEST_SUITE_P(Render, EveryPreset,
                          testing::Values(PresetCase{"deferred", false, true}, PresetCase{"kastrati2017", false, false},
                                          PresetCase{"hu2014", true, false}, PresetCase{"reference", false, false},
-                                         PresetCase{"bvh", false, false}, PresetCase{"halfsilver", false, false},
-                                         PresetCase{"occlusion", true, false}, PresetCase{"path", true, false},
-                                         PresetCase{"whitted", true, false}),
-                         [](const auto& instance) { return instance.param.name; });
+                                         PresetCase{"bvh", false, false}, PresetCase{"screen-space", false, false},
+                                         PresetCase{"halfsilver", false, false}, PresetCase{"occlusion", true, false},
+                                         PresetCase{"path", true, false}, PresetCase{"whitted", true, false}),
+                         [](const auto& instance) {
+                           std::string name = instance.param.name;
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
 
 TEST(Render, StatisticsHaveTheContractsSchema) {
   const TemporaryFolder folder;

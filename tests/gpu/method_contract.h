@@ -16,7 +16,7 @@ struct MethodCase {
   const char* name;
   const char* preset;
   std::vector<std::pair<const char*, const char*>> settings;
-  double maxHitError;  // on soup(600); the papers' methods: a third above what was measured
+  double maxHitError;  // on soup(600); of methods that are not exact: a third above what was measured
   // A method that the table does not have: it is brought to the renderer, and its name takes the preset's place.
   Method (*brought)() = nullptr;
   const char* shaders = nullptr;  // folder below tests/: its shaders, beside the project's own

@@ -167,8 +167,12 @@ TEST_P(OverlappingFrames, CanBeKeptUnderWay) {
 }
 
 INSTANTIATE_TEST_SUITE_P(AllMethods, OverlappingFrames,
-                         ::testing::Values("exact", "identity", "bvh", "attributes", "none"),
-                         [](const auto& method) { return std::string(method.param); });
+                         ::testing::Values("exact", "identity", "bvh", "screen-space", "attributes", "none"),
+                         [](const auto& method) {
+                           std::string name(method.param);
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
 
 // The exact tracer's threads may still trace the first frame when the second one builds.
 TEST_F(FrameInFlight, ABuildLeavesTheFrameUnderWayItsStructure) {

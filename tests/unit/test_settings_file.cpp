@@ -121,7 +121,7 @@ TEST(Presets, AreThePublishedSystemsAndHoldNoDefaults) {
     EXPECT_FALSE(preset.description.empty()) << preset.name;
     byName[preset.name] = preset;
   }
-  for (const char* name : {"deferred", "kastrati2017", "hu2014", "reference", "bvh", "halfsilver"})
+  for (const char* name : {"deferred", "kastrati2017", "hu2014", "reference", "bvh", "screen-space", "halfsilver"})
     ASSERT_TRUE(byName.count(name)) << name;
   EXPECT_TRUE(byName["halfsilver"].values.empty());
   // Everything in a file is a change: as many values as lines "key = value".

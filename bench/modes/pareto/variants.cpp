@@ -38,6 +38,7 @@ std::vector<Variant> variants(bool quick, std::size_t triangles) {
       {hu, "256 texels", hu, {{"abuffer.resolution", "256"}}, false, ""},
       {hu, "1 step", hu, {{"search.steps", "1"}}, false, ""},
       {hu, "all steps", hu, {{"search.steps", "0"}}, false, ""},
+      {"screen space", "", "screen-space", {}, true, "knows what the camera sees"},
       {"exact rays, CPU", "", kDefaultPreset, {{"trace.method", "exact"}}, true, "no GPU method"},
       {share, "1/4 of the pixels", kDefaultPreset, {{"select.fraction", "0.25"}}, true, ""},
       {share, "1/16 of the pixels", kDefaultPreset, {{"select.fraction", "0.0625"}}, false, ""},

@@ -33,7 +33,7 @@ class Texture {
   explicit operator bool() const { return name_ != 0; }
 
   void bind(GLuint unit) const;
-  void bindImage(GLuint unit, GLenum access) const;  // level 0, all layers
+  void bindImage(GLuint unit, GLenum access, GLint level = 0) const;  // all layers
   void parameter(GLenum name, GLint value) const;
   // Reads level 0; the destination holds at least `bytes`. Waits for the GPU.
   void read(GLenum format, GLenum type, std::size_t bytes, void* data) const;
