@@ -24,6 +24,13 @@ ContextKind contextKind(const std::string& name) {
   return name == "osmesa" ? ContextKind::osmesa : ContextKind::automatic;
 }
 
+Context openContext(const std::string& kind, const std::string& device, std::vector<std::string>& warnings) {
+  Context context = makeContext(contextKind(kind), {.device = device});
+  if (!context.passedOver().empty())
+    warnings.push_back("drawn on another device than the first, which makes no context (" + context.passedOver() + ")");
+  return context;
+}
+
 TracerFactory exactFactory(const Scene& scene, int threads) {
 #if HALFSILVER_EXACT
   return makeExactTracerFactory(scene, threads);

@@ -19,6 +19,8 @@ void keepFreedMemory();
 
 // "auto", "egl" or "osmesa", as --context takes them.
 ContextKind contextKind(const std::string& name);
+// A context for the options; `warnings` takes that devices before it, which may be hardware, could not be used.
+Context openContext(const std::string& kind, const std::string& device, std::vector<std::string>& warnings);
 
 // CPU rays for trace.method=exact; empty if the project is built without Embree. The scene must outlive it.
 // `threads` 0: one per core.

@@ -5,7 +5,9 @@
 #include <memory>
 #include <string>
 
+#include <halfsilver/error.h>
 #include "apps/commands.h"
+#include "apps/devices.h"
 #include "apps/scene_input.h"
 #include "apps/statistics.h"
 
@@ -176,15 +178,22 @@ void addInfoCommand(CLI::App& program) {
   struct Request {
     std::string scene;
     std::vector<std::string> lights;
-    bool json = false;
+    bool json = false, device = false;
   };
-  CLI::App* command = program.add_subcommand("info", "Show what a scene contains");
+  CLI::App* command = program.add_subcommand("info", "Show what a scene contains, or what the devices offer");
   const auto request = std::make_shared<Request>();
-  command->add_option("SCENE", request->scene, ".gltf or .glb file, or builtin:NAME")->required();
+  command->add_option("SCENE", request->scene, ".gltf or .glb file, or builtin:NAME");
+  command->add_flag("--device", request->device, "Show the devices instead, what each offers and what is needed");
   command->add_option("--light", request->lights, kLightHelp)->allow_extra_args(false);
   command->add_flag("--json", request->json,
                     "Print JSON, including every part (node and primitive) with its triangles");
   command->callback([request] {
+    if (request->device) {
+      if (!request->scene.empty()) throw Error(ErrorKind::usage, "info --device takes no SCENE");
+      showDevices(request->json);
+      return;
+    }
+    if (request->scene.empty()) throw Error(ErrorKind::usage, "SCENE is required");
     std::vector<LightArgument> lights;
     for (const std::string& text : request->lights) lights.push_back(parseLight(text));
     Model model = loadScene(request->scene);

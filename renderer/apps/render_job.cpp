@@ -31,7 +31,7 @@ RenderJob::RenderJob(const ViewRequest& request, const ViewArguments& arguments,
                      Progress& progress, WallClock& clock)
     : view(std::move(loaded)),
       statistics(describeRun(request, arguments, std::move(settings), view)),
-      context(makeContext(contextKind(request.context))),
+      context(openContext(request.context, request.device, statistics.warnings)),
       api(gl::Api::load(context.getProcAddress())),
       target(api, arguments.size),
       renderer(context.getProcAddress(), exactFactory(view.model.scene, request.threads)) {

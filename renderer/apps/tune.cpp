@@ -218,7 +218,9 @@ void tune(const TuneRequest& request) {
   const PosedView view = loadView(request.view, arguments);
   const Camera camera = chooseCamera(view, arguments.camera);
   keepFreedMemory();
-  const Context context = makeContext(contextKind(request.view.context));
+  std::vector<std::string> warnings;
+  const Context context = openContext(request.view.context, request.view.device, warnings);
+  for (const std::string& warning : warnings) std::cerr << "warning: " << warning << '\n';
   const gl::Api api = gl::Api::load(context.getProcAddress());
   const OffscreenTarget target(api, arguments.size);
   Renderer renderer(context.getProcAddress(), exactFactory(view.model.scene, request.view.threads));

@@ -32,6 +32,8 @@ void addViewOptions(CLI::App& command, ViewRequest& request) {
   command.add_option("--context", request.context, "How to create the OpenGL context: auto, egl, osmesa")
       ->check(CLI::IsMember({"auto", "egl", "osmesa"}))
       ->capture_default_str();
+  command.add_option("--device", request.device,
+                     "Draw on this device: its number or a part of its name (see: halfsilver info --device)");
   command.add_option("--threads", request.threads, "Threads of the exact tracer (default: one per core)")
       ->check(CLI::Range(1, 1024));
 }

@@ -28,6 +28,7 @@ struct ViewRequest {
   std::string sky, preset, config;
   std::optional<int> bounces;
   std::string context = "auto";
+  std::string device;  // see ContextOptions::device
   int threads = 0;
 };
 

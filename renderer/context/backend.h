@@ -1,6 +1,9 @@
 #pragma once
 
+#include <functional>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include <halfsilver/context.h>
 
@@ -16,8 +19,15 @@ class Context::Backend {
   virtual void release() = 0;
 };
 
-// Both throw Error (noContext) that says what is missing.
-std::unique_ptr<Context::Backend> makeEgl(const ContextOptions& options);
-std::unique_ptr<Context::Backend> makeOsmesa(const ContextOptions& options);
+// A device, and how to make a context on it; throws Error (noContext) that says what is missing.
+struct ContextWay {
+  ContextKind kind;
+  std::string name;
+  std::function<std::unique_ptr<Context::Backend>()> make;
+};
+
+// Throws Error (noContext) if there are none.
+std::vector<ContextWay> eglWays(const ContextOptions& options);
+ContextWay osmesaWay(const ContextOptions& options);
 
 }  // namespace halfsilver

@@ -158,18 +158,16 @@ class EglBackend : public Context::Backend {
 
 }  // namespace
 
-std::unique_ptr<Context::Backend> makeEgl(const ContextOptions& options) {
+std::vector<ContextWay> eglWays(const ContextOptions& options) {
   const Egl egl = load(Library({options.eglLibrary.empty() ? "libEGL.so.1" : options.eglLibrary}));
-  std::string lacks;
-  for (const Candidate& candidate : candidates(egl)) {
-    try {
-      return std::make_unique<EglBackend>(egl, candidate, options.debug);
-    } catch (const Error& error) {
-      lacks += (lacks.empty() ? "" : ", ") + candidate.name + ": " + error.what();
-    }
-  }
-  throw Error(ErrorKind::noContext,
-              lacks.empty() ? "no driver offers EGL_EXT_platform_device or EGL_MESA_platform_surfaceless" : lacks);
+  std::vector<ContextWay> ways;
+  for (const Candidate& candidate : candidates(egl))
+    ways.push_back({ContextKind::egl, candidate.name, [egl, candidate, debug = options.debug] {
+                      return std::make_unique<EglBackend>(egl, candidate, debug);
+                    }});
+  if (ways.empty())
+    throw Error(ErrorKind::noContext, "no driver offers EGL_EXT_platform_device or EGL_MESA_platform_surfaceless");
+  return ways;
 }
 
 }  // namespace halfsilver

@@ -78,10 +78,11 @@ class OsmesaBackend : public Context::Backend {
 
 }  // namespace
 
-std::unique_ptr<Context::Backend> makeOsmesa(const ContextOptions& options) {
-  const Library library =
-      options.osmesaLibrary.empty() ? Library({"libOSMesa.so.8", "libOSMesa.so.6"}) : Library({options.osmesaLibrary});
-  return std::make_unique<OsmesaBackend>(load(library));
+ContextWay osmesaWay(const ContextOptions& options) {
+  return {ContextKind::osmesa, "OSMesa", [file = options.osmesaLibrary] {
+            const Library library = file.empty() ? Library({"libOSMesa.so.8", "libOSMesa.so.6"}) : Library({file});
+            return std::make_unique<OsmesaBackend>(load(library));
+          }};
 }
 
 }  // namespace halfsilver

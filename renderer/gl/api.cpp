@@ -3,23 +3,22 @@
 #include <algorithm>
 
 #include <halfsilver/error.h>
+#include "gl/limits.h"
 
 namespace halfsilver::gl {
 namespace {
-
-// What OpenGL 4.5 guarantees. A program that needs more storage blocks is checked when it is linked.
-constexpr GLint kComputeStorageBlocks = 8;
-constexpr GLint kTextureUnits = 16;
 
 std::string text(const Api& api, GLenum name) {
   const GLubyte* value = api.GetString(name);
   return value ? reinterpret_cast<const char*>(value) : "unknown";
 }
 
-void require(GLint value, GLint needed, const char* what) {
-  if (value < needed)
-    throw Error(ErrorKind::noContext, std::string("the GL device offers ") + std::to_string(value) + " " + what + ", " +
-                                          std::to_string(needed) + " are needed");
+// Programs are checked for more when they are linked.
+void requireNeeds(const Limits& limits) {
+  for (const Need& need : needsOf(limits))
+    if (need.offered < need.least)
+      throw Error(ErrorKind::noContext, "the GL device offers " + std::to_string(need.offered) + " " + need.what +
+                                            ", " + std::to_string(need.least) + " are needed");
 }
 
 Limits readLimits(const Api& api) {
@@ -61,11 +60,11 @@ Api Api::load(const GetProcAddress& getProcAddress) {
   if (major * 10 + minor < 45)
     throw Error(ErrorKind::noContext, "the GL context is version " + std::to_string(major) + "." +
                                           std::to_string(minor) + " (" + api.renderer + "), 4.5 is needed");
-  for (const char* name : {"llvmpipe", "softpipe", "SWR", "SwiftShader"})
+  for (const char* name :
+       {"llvmpipe", "softpipe", "SWR", "SwiftShader", "Software Rasterizer", "Microsoft Basic Render", "SVGA3D"})
     api.software = api.software || api.renderer.find(name) != std::string::npos;
   api.limits = readLimits(api);
-  require(api.limits.computeStorageBlocks, kComputeStorageBlocks, "storage blocks in compute shaders");
-  require(api.limits.textureUnits, kTextureUnits, "texture units");
+  requireNeeds(api.limits);
   return api;
 }
 

@@ -1,7 +1,10 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <fstream>
+#include <string>
 
 #include "program.h"
 
@@ -26,6 +29,48 @@ nlohmann::json compareJson(const TemporaryFolder& folder, const std::string& arg
   const ProgramResult result = runProgramIn(folder, "compare --json " + arguments);
   EXPECT_EQ(result.exitCode, 0) << result.err;
   return nlohmann::json::parse(result.out, nullptr, false);
+}
+
+TEST(Info, DeviceListsWhatEachOffersAndWhatIsNeeded) {
+  const TemporaryFolder folder;
+  const ProgramResult text = runProgramIn(folder, "info --device");
+  EXPECT_EQ(text.exitCode, 0) << text.err;
+  EXPECT_NE(text.out.find("storage blocks in compute shaders"), std::string::npos) << text.out;
+  const ProgramResult result = runProgramIn(folder, "info --device --json");
+  ASSERT_EQ(result.exitCode, 0) << result.err;
+  const nlohmann::json devices = nlohmann::json::parse(result.out)["devices"];
+  ASSERT_FALSE(devices.empty());
+  std::size_t usable = 0;
+  for (std::size_t i = 0; i < devices.size(); ++i) {
+    EXPECT_EQ(devices[i]["number"], i);
+    if (devices[i].contains("refused")) continue;
+    ++usable;
+    EXPECT_NE(devices[i]["version"].get<std::string>().find("4."), std::string::npos);
+    EXPECT_GT(devices[i]["limits"].size(), 5u);
+    for (const auto& limit : devices[i]["limits"]) EXPECT_GE(limit["offered"], limit.value("least", 0)) << limit;
+    // By its number and by a part of its renderer's name, whatever the case.
+    std::string name = devices[i]["renderer"];
+    name = name.substr(0, name.find(' '));
+    std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::toupper(c); });
+    for (const std::string& chosen : {std::to_string(i), name}) {
+      const ProgramResult drawn = runProgramIn(folder, kQuickSphere + "-o a.png --stats s.json --device " + chosen);
+      EXPECT_EQ(drawn.exitCode, 0) << drawn.err;
+      EXPECT_EQ(readJson(folder.path() / "s.json")["device"]["renderer"], devices[i]["renderer"]);
+    }
+  }
+  EXPECT_GT(usable, 0u);
+}
+
+TEST(Info, AnUnknownDeviceIsToldWithThoseThatThereAre) {
+  const TemporaryFolder folder;
+  for (const char* device : {"99", "nosuch"}) {
+    const ProgramResult result = runProgramIn(folder, kQuickSphere + std::string("-o a.png --device ") + device);
+    EXPECT_EQ(result.exitCode, 4);
+    EXPECT_NE(result.err.find(std::string("no device '") + device), std::string::npos) << result.err;
+    EXPECT_TRUE(filesIn(folder).empty());
+  }
+  EXPECT_EQ(runProgramIn(folder, "info").exitCode, 2);
+  EXPECT_EQ(runProgramIn(folder, "info --device builtin:sphere").exitCode, 2);
 }
 
 TEST(CompareCommand, IdenticalAndShiftedImages) {

@@ -1,4 +1,5 @@
 #include <chrono>
+#include <iostream>
 
 #include <halfsilver/context.h>
 #include <halfsilver/gl/api.h>
@@ -26,7 +27,9 @@ void runHeadless(const Request& request) {
   Progress progress;
   progress.show("loading");
   std::unique_ptr<Play> play = makePlay(request);
-  const Context context = makeContext(contextKind(request.view.context));
+  std::vector<std::string> warnings;
+  const Context context = openContext(request.view.context, request.view.device, warnings);
+  for (const std::string& warning : warnings) std::cerr << "warning: " << warning << '\n';
   const gl::Api api = gl::Api::load(context.getProcAddress());
   Session session(api, context.getProcAddress(), request.view.threads);
   session.play(std::move(play), size, options);
