@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include <halfsilver/error.h>
+
 namespace halfsilver {
 
 std::size_t Frame::bytes() const {
@@ -28,7 +30,7 @@ void FrameRecord::begin() {
   reported_ = false;
   firstCounts_.clear();
   laterCounts_.clear();
-  contributions_ = buildCounts_ = {};
+  signature_ = contributions_ = buildCounts_ = {};
   addBuildCounts_ = nullptr;
 }
 
@@ -38,6 +40,8 @@ void FrameRecord::end(const Frame& frame, const Tracer* tracer, const MemoryRepo
   known_.warnings = std::move(warnings);
   known_.memory = held;
   known_.memory.gbuffer = frame.gbuffer.bytes();
+  number_ = frame.gbuffer.number;
+  signature_ = readback_.copy<std::uint32_t>(frame.gbuffer.signature);
   // Rays that nobody traces are no selection: the layers say so too.
   if (tracer) {
     memory_ = tracer->memory();
@@ -62,6 +66,8 @@ void FrameRecord::end(const Frame& frame, const Tracer* tracer, const MemoryRepo
 FrameReport FrameRecord::report() {
   if (reported_) return known_;
   if (!readback_.ready()) readback_.wait();
+  if (readback_.values(signature_)[0] != number_)
+    throw Error(ErrorKind::failed, "the device has not run the frame: what its shaders were to write is not there");
   for (const gl::SectionTime& time : profiler_.collect()) known_.times.push_back({time.name, time.milliseconds});
   for (const auto& slice : laterCounts_) {
     const shared::RayCount& later = readback_.values(slice)[0];

@@ -62,18 +62,18 @@ class FrameRecord {
 
   // Whether report() has all that it needs; never waits.
   bool arrived() const { return readback_.ready() && profiler_.ready(); }
-  // After end(); waits for what has not arrived. Can be asked again.
+  // After end(); waits for what has not arrived. Can be asked again. Throws Error (failed) if the GPU did not run it.
   FrameReport report();
 
  private:
   FrameReport known_;
   TracerMemory memory_;
   bool reported_ = false;
-  std::uint32_t raysPerPixel_ = 1;
+  std::uint32_t raysPerPixel_ = 1, number_ = 0;
   gl::Profiler profiler_;
   gl::Readback readback_;
   std::vector<gl::Readback::Slice<shared::RayCount>> firstCounts_, laterCounts_;  // of batches and later generations
-  gl::Readback::Slice<std::uint32_t> contributions_, buildCounts_;
+  gl::Readback::Slice<std::uint32_t> signature_, contributions_, buildCounts_;
   void (*addBuildCounts_)(std::span<const std::uint32_t>, TracerMemory&) = nullptr;
 };
 

@@ -250,7 +250,7 @@ void Renderer::Impl::finish(const Target& target) {
     picture.forget();
     throw;
   }
-  // Counts (selection, build, trace) are copied for the report.
+  // Counts (selection, build, trace) and the signature are copied for the report.
   api.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   std::vector<std::string> warnings = scene.warnings;
   warnings.insert(warnings.end(), shadowWarnings.begin(), shadowWarnings.end());

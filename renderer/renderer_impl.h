@@ -78,6 +78,7 @@ struct Renderer::Impl {
   FrameView viewOf(Frame& frame, gl::Profiler& profiler) const {
     return {scene, shadows, frame.constants, frame.host, profiler, frame.gbuffer};
   }
+  void checkDevice() const;
   std::size_t takeRecord();
   bool keepsWork() const;
   std::vector<shared::RayWork> readWork();

@@ -91,8 +91,15 @@ CameraMatrices Renderer::matrices(const Camera& camera, const Target& target) co
   return cameraMatrices(camera, impl_->scene.extents.bounds(), target);
 }
 
+// A device that was reset has lost the frame.
+void Renderer::Impl::checkDevice() const {
+  if (api.GetGraphicsResetStatus() != GL_NO_ERROR)
+    throw Error(ErrorKind::failed, "the device was reset while it drew, and the frame is lost");
+}
+
 FrameReport Renderer::report() {
   Impl& r = *impl_;
+  r.checkDevice();
   if (!r.reported) throw Error(ErrorKind::usage, "report() needs a finished frame: call render() first");
   const gl::StateGuard guard(r.api);
   r.unreported.clear();  // arrivedReport() does not go back
@@ -101,6 +108,7 @@ FrameReport Renderer::report() {
 
 std::optional<FrameReport> Renderer::arrivedReport() {
   Impl& r = *impl_;
+  r.checkDevice();
   const auto newest = std::find_if(r.unreported.rbegin(), r.unreported.rend(),
                                    [&r](std::size_t record) { return r.records[record].arrived(); });
   if (newest == r.unreported.rend()) return std::nullopt;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <utility>
 
+#include <halfsilver/error.h>
 #if HALFSILVER_EXACT
 #include <halfsilver/exact.h>
 #endif
@@ -22,6 +23,11 @@ constexpr int kMaxFirstFrames = 4;
 ContextKind contextKind(const std::string& name) {
   if (name == "egl") return ContextKind::egl;
   return name == "osmesa" ? ContextKind::osmesa : ContextKind::automatic;
+}
+
+void checkErrors(const gl::Api& api) {
+  if (const GLenum error = api.GetError(); error != GL_NO_ERROR)
+    throw Error(ErrorKind::failed, "OpenGL reports an error while drawing (" + std::to_string(error) + ")");
 }
 
 Context openContext(const std::string& kind, const std::string& device, std::vector<std::string>& warnings) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <halfsilver/context.h>
+#include <halfsilver/gl/api.h>
 #include <halfsilver/renderer.h>
 
 // What all programs that draw have in common.
@@ -16,6 +17,9 @@ inline constexpr int kMaxSamples = 4096;  // per pixel
 // them back to the system meanwhile, new pages cost such a frame more than half of its time. For whoever is about to
 // draw; the whole process keeps what it frees from then on.
 void keepFreedMemory();
+
+// Throws Error (failed) if OpenGL has noted an error since the last call: what was drawn may be wrong.
+void checkErrors(const gl::Api& api);
 
 // "auto", "egl" or "osmesa", as --context takes them.
 ContextKind contextKind(const std::string& name);

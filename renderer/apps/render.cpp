@@ -188,6 +188,7 @@ void renderPicture(const RenderRequest& request, const ViewArguments& arguments,
   statistics.samples = request.samples;
   Frames(job.renderer, camera, job.target.target(), request, statistics)
       .draw(repeat, passSteps(request, job, progress), progress, clock);
+  checkErrors(job.api);
   progress.show("writing " + request.outputs.picture);
   outputs.writePictures(job.renderer, job.target, statistics.diagonal);
   clock.lap("write");

@@ -144,6 +144,7 @@ void renderSequence(const SequenceRequest& request, Progress& progress, WallCloc
     addWarnings(statistics.report.warnings, statistics.warnings);
     warnOfLosses(statistics.report, statistics.warnings);
     addWarnings(statistics.warnings, warnings);
+    checkErrors(job.api);
     outputs.writePictures(job.renderer, job.target, statistics.diagonal);
     outputs.writeStatistics(statistics);
     outputs.commit();

@@ -26,6 +26,7 @@ GBuffer allocate(const gl::Api& api, int width, int height) {
   buffer.emissive = texture(GL_RGBA16F, "emissive");
   buffer.shaded = texture(GL_RGBA32F, "shaded");
   buffer.reflection = texture(GL_RGBA32F, "reflection");
+  buffer.signature = gl::Buffer(api, sizeof(buffer.number), "signature");
   return buffer;
 }
 
@@ -80,9 +81,13 @@ void GBufferPass::rasterize(const FrameView& view, const GBuffer& out) const {
   }
 }
 
-void GBufferPass::resolve(const FrameView& view, const GBuffer& out) {
+void GBufferPass::resolve(const FrameView& view, GBuffer& out) {
   const gl::Api& gl = *api_;
-  resolve_.of(view.scene).use();
+  const gl::Program& program = resolve_.of(view.scene);
+  program.use();
+  out.number = ++frames_;
+  program.set("number", out.number);
+  out.signature.bindStorage(SSBO_SIGNATURE);
   view.constants.bindUniform(UBO_FRAME);
   view.scene.bindSurfaces();
   out.visibility.bind(UNIT_VISIBILITY);
@@ -93,7 +98,8 @@ void GBufferPass::resolve(const FrameView& view, const GBuffer& out) {
   out.emissive.bindImage(IMAGE_EMISSIVE, GL_WRITE_ONLY);
   gl.DispatchCompute(static_cast<GLuint>((out.width + kTile - 1) / kTile),
                      static_cast<GLuint>((out.height + kTile - 1) / kTile), 1);
-  // This dispatch writes the G-buffer's images; selection, shading and the layers' read-back fetch them.
+  // This dispatch writes the G-buffer's images; selection, shading and the layers' read-back fetch them. The signature
+  // is copied when the frame ends, after a barrier.
   gl.MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 #include <halfsilver/frame_view.h>
 #include "frame/surface_programs.h"
 #include "gl/framebuffer.h"
@@ -19,13 +21,14 @@ class GBufferPass {
 
  private:
   void rasterize(const FrameView& view, const GBuffer& out) const;
-  void resolve(const FrameView& view, const GBuffer& out);
+  void resolve(const FrameView& view, GBuffer& out);
 
   const gl::Api* api_;
   gl::Program opaque_, cut_;
   SurfacePrograms resolve_;
   gl::Framebuffer framebuffer_;
   gl::EmptyVertexArray vertexArray_;
+  std::uint32_t frames_ = 0;  // that have been numbered
 };
 
 }  // namespace halfsilver

@@ -12,8 +12,13 @@ layout(rgba16f, binding = IMAGE_BASE_COLOR) uniform writeonly image2D baseColorI
 layout(rgba16f, binding = IMAGE_MATERIAL) uniform writeonly image2D materialImage;
 layout(rgba16f, binding = IMAGE_EMISSIVE) uniform writeonly image2D emissiveImage;
 
+// Proves to the host that the device has run this frame.
+layout(std430, binding = SSBO_SIGNATURE) writeonly buffer SignatureBlock { uint signature; };
+uniform uint number;
+
 void main() {
   ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+  if (pixel == ivec2(0)) signature = number;
   if (any(greaterThanEqual(pixel, ivec2(frame.width, frame.height)))) return;
   vec4 position = vec4(0.0), normal = vec4(0.0), baseColor = vec4(0.0), material = vec4(0.0), emissive = vec4(0.0);
   uint visible = texelFetch(visibility, pixel, 0).x;

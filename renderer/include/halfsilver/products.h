@@ -104,6 +104,10 @@ struct GBuffer {
   gl::Texture shaded;      // RGBA32F: deferred radiance, a sky visibility
   gl::Texture reflection;  // RGBA32F: radiance of the traced rays, a 1 if traced
   gl::Texture motion;      // RG32F: pixels since the frame before, right and up; only if image.motion asks for it
+  // uint: the number of the last frame that the GPU has run here, which is `number` unless it runs nothing or was
+  // reset.
+  gl::Buffer signature;
+  std::uint32_t number = 0;
   std::size_t bytes() const;
 };
 

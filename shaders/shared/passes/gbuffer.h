@@ -4,6 +4,8 @@
 
 #define SSBO_DRAW_LIST 9  // uint[triangles]: triangle numbers in drawing order
 
+#define SSBO_SIGNATURE 10  // uint
+
 #define IMAGE_POSITION 0
 #define IMAGE_NORMAL 1
 #define IMAGE_BASE_COLOR 2

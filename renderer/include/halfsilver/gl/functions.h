@@ -5,6 +5,7 @@
 // The functions of gl::Api. X(type, name): name without its "gl" prefix.
 #define HALFSILVER_GL_FUNCTIONS(X)                                       \
   X(PFNGLGETERRORPROC, GetError)                                         \
+  X(PFNGLGETGRAPHICSRESETSTATUSPROC, GetGraphicsResetStatus)             \
   X(PFNGLGETSTRINGPROC, GetString)                                       \
   X(PFNGLGETSTRINGIPROC, GetStringi)                                     \
   X(PFNGLGETINTEGERVPROC, GetIntegerv)                                   \
