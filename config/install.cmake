@@ -31,6 +31,6 @@ configure_package_config_file(config/halfsilver-config.cmake.in ${CMAKE_CURRENT_
                               INSTALL_DESTINATION ${package_folder})
 write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/halfsilver-config-version.cmake
                                  COMPATIBILITY SameMinorVersion)
-install(FILES ${CMAKE_CURRENT_BINARY_DIR}/halfsilver-config.cmake
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/halfsilver-config.cmake config/find_webp.cmake
               ${CMAKE_CURRENT_BINARY_DIR}/halfsilver-config-version.cmake
         DESTINATION ${package_folder} COMPONENT renderer)

@@ -127,6 +127,7 @@ Json infoJson(const std::string& file, const Model& model) {
     json["animations"].push_back({{"name", animation.name},
                                   {"duration", shortest(animation.duration)},
                                   {"channels", animation.channels.size()}});
+  json["variants"] = model.variants;
   json["parts"] = partsJson(model);
   json["warnings"] = model.warnings;
   return json;
@@ -167,6 +168,9 @@ void printInfo(const Json& json) {
     std::cout << "  " << a << " '" << animation["name"].get<std::string>() << "'  " << animation["duration"] << " s, "
               << animation["channels"] << " channels\n";
   }
+  if (!json["variants"].empty()) std::cout << "variants    " << json["variants"].size() << "\n";
+  for (std::size_t v = 0; v < json["variants"].size(); ++v)
+    std::cout << "  " << v << " '" << json["variants"][v].get<std::string>() << "'\n";
   std::cout << "parts       " << json["parts"].size() << " (see --json)\n";
   std::cout << "materials   " << json["materials"].size() << "\n";
   printMaterials(json["materials"]);
@@ -176,14 +180,15 @@ void printInfo(const Json& json) {
 
 void addInfoCommand(CLI::App& program) {
   struct Request {
-    std::string scene;
+    std::string scene, variant;
     std::vector<std::string> lights;
     bool json = false, device = false;
   };
   CLI::App* command = program.add_subcommand("info", "Show what a scene contains, or what the devices offer");
   const auto request = std::make_shared<Request>();
-  command->add_option("SCENE", request->scene, ".gltf or .glb file, or builtin:NAME");
+  command->add_option("SCENE", request->scene, kSceneHelp);
   command->add_flag("--device", request->device, "Show the devices instead, what each offers and what is needed");
+  command->add_option("--variant", request->variant, kVariantHelp);
   command->add_option("--light", request->lights, kLightHelp)->allow_extra_args(false);
   command->add_flag("--json", request->json,
                     "Print JSON, including every part (node and primitive) with its triangles");
@@ -196,7 +201,7 @@ void addInfoCommand(CLI::App& program) {
     if (request->scene.empty()) throw Error(ErrorKind::usage, "SCENE is required");
     std::vector<LightArgument> lights;
     for (const std::string& text : request->lights) lights.push_back(parseLight(text));
-    Model model = loadScene(request->scene);
+    Model model = loadScene(request->scene, request->variant);
     addLights(model, lights);
     const Json json = infoJson(request->scene, model);
     if (request->json) {

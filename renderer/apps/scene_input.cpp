@@ -52,10 +52,11 @@ Camera cameraFromWorld(const glm::dvec3& origin, const glm::dvec3& eye, const gl
 
 }  // namespace
 
-Model loadScene(const std::string& name) {
+Model loadScene(const std::string& name, const std::string& variant) {
   constexpr std::string_view prefix = "builtin:";
-  if (name.starts_with(prefix)) return makeBuiltin(std::string_view(name).substr(prefix.size()));
-  return loadGltf(name);
+  if (!name.starts_with(prefix)) return loadGltf(name, {.variant = variant});
+  if (!variant.empty()) reject("unknown variant '" + variant + "'; the scene has none");
+  return makeBuiltin(std::string_view(name).substr(prefix.size()));
 }
 
 void applyMirrors(Scene& scene, std::span<const MirrorArgument> mirrors) {

@@ -12,8 +12,16 @@
 // Scenes and cameras as the command line names them.
 namespace halfsilver {
 
-// A .gltf or .glb path, or "builtin:NAME". Throws Error (badInput).
-Model loadScene(const std::string& name);
+inline constexpr const char* kSceneHelp =
+    ".gltf or .glb file, or builtin:NAME; a file's buffers and images are read from its folder and below, never "
+    "through "
+    "'..' from outside";
+inline constexpr const char* kVariantHelp =
+    "Use the materials of this variant, by name or index (see: halfsilver info)";
+
+// A .gltf or .glb path, or "builtin:NAME", with the materials of a variant if one is named. Throws Error (badInput;
+// usage for an unknown variant, listing the known ones).
+Model loadScene(const std::string& name, const std::string& variant = {});
 
 // Gives materials a reflectance at normal incidence; "*" means all. Throws Error (usage) for an unknown name, listing
 // the known ones.

@@ -8,7 +8,7 @@
 namespace halfsilver {
 
 void addViewOptions(CLI::App& command, ViewRequest& request) {
-  command.add_option("SCENE", request.scene, ".gltf or .glb file, or builtin:NAME")->required();
+  command.add_option("SCENE", request.scene, kSceneHelp)->required();
   command.add_option("--size", request.size, "WIDTHxHEIGHT in pixels")->capture_default_str();
   command.add_option("--camera", request.camera, "Name or index of a camera of the scene (default: the first)");
   command.add_option("--eye", request.eye, "X,Y,Z in world coordinates: place the camera here; needs --target");
@@ -17,6 +17,9 @@ void addViewOptions(CLI::App& command, ViewRequest& request) {
   command.add_option("--time", request.time, "Pose the scene at this time of its animations, in seconds");
   command.add_option("--animation", request.animation,
                      "Play this animation, by name or index, or all that move different things (default: all)");
+  command.add_flag("--loop,!--hold", request.loop,
+                   "Beyond the end of an animation: start it again, without drift (default), or hold its last pose");
+  command.add_option("--variant", request.variant, kVariantHelp);
   command
       .add_option("--mirror", request.mirrors,
                   "MATERIAL=REFLECTIVITY: turn a material into a mirror; * for all materials")
@@ -63,7 +66,7 @@ void applyOverrides(Settings& settings, const ViewRequest& request) {
 }
 
 Model loadModel(const ViewRequest& request, const ViewArguments& arguments) {
-  Model model = loadScene(request.scene);
+  Model model = loadScene(request.scene, request.variant);
   applyMirrors(model.scene, arguments.mirrors);
   addLights(model, arguments.lights);
   if (!request.sky.empty()) {
@@ -85,14 +88,14 @@ PosedView loadView(const ViewRequest& request, const ViewArguments& arguments) {
   PosedView view{loadModel(request, arguments), {}, {}};
   view.bounds = view.model.scene.bounds();
   if (request.time)
-    poseView(view, chooseAnimations(request, view.model), *request.time);
+    poseView(view, chooseAnimations(request, view.model), *request.time, request.loop);
   else if (!(view.bounds.diagonal() > 0))
     view.bounds = animatedBounds(view.model).all;  // what is a point or nothing at rest is framed as it will be
   return view;
 }
 
-void poseView(PosedView& view, std::span<const int> animations, double seconds) {
-  view.state = evaluate(view.model.rig, playTogether(animations, seconds));
+void poseView(PosedView& view, std::span<const int> animations, double seconds, bool loop) {
+  view.state = evaluate(view.model.rig, playTogether(animations, seconds, loop));
   if (!view.animated) view.animated = animatedBounds(view.model);
   view.bounds = view.animated->all;
 }

@@ -23,7 +23,8 @@ struct ViewRequest {
   std::string size = "960x540";
   std::string camera, eye, target;
   std::optional<double> fov, time;
-  std::string animation;
+  std::string animation, variant;
+  bool loop = true;
   std::vector<std::string> mirrors, lights, set;
   std::string sky, preset, config;
   std::optional<int> bounces;
@@ -69,8 +70,8 @@ PosedView loadView(const ViewRequest& request, const ViewArguments& arguments);
 // As in the pose; if the scene has none and none is asked for, one that shows the bounds.
 Camera chooseCamera(const PosedView& view, const CameraRequest& request);
 
-// Poses it as the animations do at a time.
-void poseView(PosedView& view, std::span<const int> animations, double seconds);
+// Poses it as the animations do at a time, beyond their ends in another loop or at the last pose.
+void poseView(PosedView& view, std::span<const int> animations, double seconds, bool loop);
 
 // Uploads the scene. It is posed on the GPU, or where scene.posing says.
 void show(const PosedView& view, Renderer& renderer);

@@ -22,7 +22,7 @@ constexpr double kRoundedTerms = 8;
 
 double roundedTerms(const Instance& instance, std::span<const double> weights) {
   const auto used = weights.first(std::min(weights.size(), instance.targets.size()));
-  return kRoundedTerms + static_cast<double>(used.size()) -
+  return kRoundedTerms + 4.0 * (instance.jointSets - 1) + static_cast<double>(used.size()) -
          static_cast<double>(std::count(used.begin(), used.end(), 0));
 }
 
@@ -35,7 +35,7 @@ struct RestData {
   bool fits(const Instance& instance, std::size_t limit) const {
     const std::size_t count = instance.rest.size();
     return (vertices.size() + count) * sizeof(shared::RestVertex) <= limit &&
-           (influences.size() + count) * sizeof(shared::JointInfluences) <= limit &&
+           (influences.size() + count * instance.jointSets) * sizeof(shared::JointInfluences) <= limit &&
            (deltas.size() + instance.targets.size() * count * MORPH_FLOATS) * sizeof(float) <= limit;
   }
   void addVertices(const Instance& instance, const glm::vec3& center) {
@@ -227,6 +227,7 @@ std::vector<GpuRig::Batch> GpuRig::upload() {
     group.vertex = instance.firstVertex;
     group.rest = part.rest;
     group.influences = part.influences;
+    group.jointSets = instance.jointSets;
     group.matrix = static_cast<std::uint32_t>(matrices.size());
     group.morphWeights = static_cast<std::uint32_t>(weights.size());
     group.flags = instance.turned ? POSE_TURNED : 0;

@@ -133,14 +133,20 @@ std::string named(const std::string& where, int accessor) {
 
 }  // namespace
 
+std::span<const std::uint8_t> bytesOf(const Document& document, const Diagnostics& diagnostics, const BufferView& view,
+                                      const std::string& place) {
+  const auto& buffer = get(document.buffers, view.buffer, "buffers", diagnostics, place);
+  const std::string name = item("buffers", static_cast<std::size_t>(view.buffer));
+  if (buffer.empty() && view.length > 0) diagnostics.fail("has no data", name);
+  if (view.offset > buffer.size() || view.length > buffer.size() - view.offset)
+    diagnostics.fail("ends beyond " + name, place);
+  return std::span<const std::uint8_t>(buffer).subspan(view.offset, view.length);
+}
+
 std::span<const std::uint8_t> viewBytes(const Document& document, const Diagnostics& diagnostics, int view,
                                         const std::string& where) {
   const BufferView& source = get(document.views, view, "bufferViews", diagnostics, where);
-  const std::string place = item("bufferViews", static_cast<std::size_t>(view));
-  const auto& buffer = get(document.buffers, source.buffer, "buffers", diagnostics, place);
-  if (source.offset > buffer.size() || source.length > buffer.size() - source.offset)
-    diagnostics.fail("ends beyond " + item("buffers", static_cast<std::size_t>(source.buffer)), place);
-  return std::span<const std::uint8_t>(buffer).subspan(source.offset, source.length);
+  return bytesOf(document, diagnostics, source, item("bufferViews", static_cast<std::size_t>(view)));
 }
 
 Floats readFloats(const Document& document, Diagnostics& diagnostics, int index, int minComponents, int maxComponents,

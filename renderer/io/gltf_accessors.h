@@ -15,6 +15,9 @@ struct Floats {
   std::size_t count() const { return values.size() / static_cast<std::size_t>(components); }
 };
 
+// Throws through `diagnostics` unless the view is inside its buffer; `place` names it.
+std::span<const std::uint8_t> bytesOf(const Document& document, const Diagnostics& diagnostics, const BufferView& view,
+                                      const std::string& place);
 std::span<const std::uint8_t> viewBytes(const Document& document, const Diagnostics& diagnostics, int view,
                                         const std::string& where);
 

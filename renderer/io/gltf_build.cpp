@@ -7,6 +7,7 @@
 #include <limits>
 #include <sstream>
 
+#include <halfsilver/error.h>
 #include "io/gltf_animations.h"
 #include "io/gltf_materials.h"
 #include "io/gltf_meshes.h"
@@ -73,10 +74,26 @@ Light sun() {
   return light;
 }
 
+int chooseVariant(const std::vector<std::string>& names, const std::string& wanted, const Diagnostics& diagnostics) {
+  if (wanted.empty()) return -1;
+  const auto named = std::find(names.begin(), names.end(), wanted);
+  if (named != names.end()) return static_cast<int>(named - names.begin());
+  std::string known;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (wanted == std::to_string(i)) return static_cast<int>(i);
+    known += (i ? ", " : "") + std::to_string(i) + " '" + names[i].substr(0, 100) + "'";
+  }
+  throw Error(ErrorKind::usage, diagnostics.file + ": unknown variant '" + wanted + "'; " +
+                                    (known.empty() ? "the scene has none" : "known are " + known));
+}
+
 class Builder {
  public:
-  Builder(const Document& document, Diagnostics& diagnostics)
-      : document_(document), diagnostics_(diagnostics), hierarchy_(buildHierarchy(document, diagnostics)) {}
+  Builder(const Document& document, const GltfOptions& options, Diagnostics& diagnostics)
+      : document_(document),
+        diagnostics_(diagnostics),
+        variant_(chooseVariant(document.variants, options.variant, diagnostics)),
+        hierarchy_(buildHierarchy(document, diagnostics)) {}
 
   Model run() {
     model_.scene.name = document_.sceneName;
@@ -91,6 +108,7 @@ class Builder {
     measure();
     flatten();
     addViews();
+    model_.variants = document_.variants;
     model_.warnings = std::move(diagnostics_.warnings);
     return std::move(model_);
   }
@@ -100,14 +118,23 @@ class Builder {
   void readMeshes() {
     std::optional<std::uint32_t> defaultMaterial;
     meshes_.resize(document_.meshes.size());
+    std::size_t points = 0, lines = 0, primitivesLeftOut = 0;
     for (std::size_t n = 0; n < hierarchy_.inScene; ++n) {
       const int mesh = meshOf(n);
       if (mesh < 0 || !meshes_[static_cast<std::size_t>(mesh)].empty()) continue;
       const auto& primitives = document_.meshes[static_cast<std::size_t>(mesh)].primitives;
-      for (std::size_t p = 0; p < primitives.size(); ++p)
-        meshes_[static_cast<std::size_t>(mesh)].push_back(
-            readPrimitive(document_, diagnostics_, mesh, static_cast<int>(p), model_.scene.materials, defaultMaterial));
+      for (std::size_t p = 0; p < primitives.size(); ++p) {
+        const Geometry& read = meshes_[static_cast<std::size_t>(mesh)].emplace_back(readPrimitive(
+            document_, diagnostics_, mesh, static_cast<int>(p), variant_, model_.scene.materials, defaultMaterial));
+        points += read.points;
+        lines += read.lines;
+        primitivesLeftOut += read.points + read.lines > 0;
+      }
     }
+    if (primitivesLeftOut > 0)
+      diagnostics_.warn("points and lines are left out, only triangles are drawn: " + std::to_string(points) +
+                        " points and " + std::to_string(lines) + " lines in " + std::to_string(primitivesLeftOut) +
+                        " primitives");
   }
 
   int meshOf(std::size_t node) const { return fileNode(node).mesh; }
@@ -271,6 +298,7 @@ class Builder {
 
   const Document& document_;
   Diagnostics& diagnostics_;
+  const int variant_;  // into the document's, -1: none
   const Hierarchy hierarchy_;
   Model model_;
   PoseState rest_;
@@ -280,6 +308,8 @@ class Builder {
 
 }  // namespace
 
-Model build(const Document& document, Diagnostics& diagnostics) { return Builder(document, diagnostics).run(); }
+Model build(const Document& document, const GltfOptions& options, Diagnostics& diagnostics) {
+  return Builder(document, options, diagnostics).run();
+}
 
 }  // namespace halfsilver::gltf

@@ -22,9 +22,12 @@ constexpr std::array kIndexKeys = {"buffer",    "bufferView", "componentType", "
 constexpr std::array kSizeKeys = {"byteLength", "byteOffset", "byteStride", "count"};
 constexpr std::array kIndexLists = {"children", "joints", "attributes", "targets"};
 constexpr std::array kExtensions = {
-    "KHR_lights_punctual",        "KHR_texture_transform",           "KHR_materials_unlit",  "KHR_materials_ior",
-    "KHR_materials_specular",     "KHR_materials_emissive_strength", "KHR_materials_volume", "KHR_materials_clearcoat",
-    "KHR_materials_transmission", "KHR_materials_dispersion",        "KHR_mesh_quantization"};
+    "KHR_lights_punctual",      "KHR_texture_transform",   "KHR_materials_unlit",
+    "KHR_materials_ior",        "KHR_materials_specular",  "KHR_materials_emissive_strength",
+    "KHR_materials_volume",     "KHR_materials_clearcoat", "KHR_materials_transmission",
+    "KHR_materials_dispersion", "KHR_mesh_quantization",   "KHR_draco_mesh_compression",
+    "EXT_meshopt_compression",  "EXT_texture_webp",        "EXT_texture_avif",
+    "KHR_materials_variants",   "EXT_mesh_gpu_instancing"};
 constexpr std::array kLists = {"accessors", "animations", "bufferViews", "buffers", "cameras", "images",  "materials",
                                "meshes",    "nodes",      "samplers",    "scenes",  "skins",   "textures"};
 
@@ -140,15 +143,9 @@ void checkAnimations(const json& root, Diagnostics& diagnostics) {
   }
 }
 
-std::uint32_t littleEndian(std::span<const std::uint8_t> bytes, std::size_t offset) {
-  std::uint32_t value = 0;
-  for (std::size_t i = 0; i < 4; ++i) value |= static_cast<std::uint32_t>(bytes[offset + i]) << (8 * i);
-  return value;
-}
-
 }  // namespace
 
-std::vector<std::size_t> checkJson(std::string_view text, bool binary, Diagnostics& diagnostics) {
+json checkJson(std::string_view text, Diagnostics& diagnostics) {
   checkNesting(text, diagnostics);
   json root;
   try {
@@ -175,39 +172,10 @@ std::vector<std::size_t> checkJson(std::string_view text, bool binary, Diagnosti
     for (std::size_t i = 0; i < list.size(); ++i)
       if (!list[i].is_object()) diagnostics.fail("is not an object", item(key, i));
   }
-  const json& buffers = listOf(root, "buffers");
-  for (std::size_t i = 0; i < buffers.size(); ++i)
-    if (!buffers[i].contains("uri") && (!binary || i > 0)) diagnostics.fail("has no uri", item("buffers", i));
   checkNumbers(root, false, diagnostics, "");
   checkParts(root, diagnostics);
   checkAnimations(root, diagnostics);
-  std::vector<std::size_t> external;
-  for (const json& buffer : buffers) {
-    const auto uri = buffer.find("uri");
-    const auto length = buffer.find("byteLength");
-    if (uri != buffer.end() && uri->is_string() && !uri->get_ref<const std::string&>().starts_with("data:") &&
-        length != buffer.end())
-      external.push_back(length->get<std::size_t>());
-  }
-  return external;
-}
-
-std::string_view checkBinary(std::span<const std::uint8_t> bytes, const Diagnostics& diagnostics) {
-  constexpr std::uint32_t kJson = 0x4e4f534a;
-  const auto truncated = [&](std::uint64_t needed, const char* where) {
-    if (bytes.size() < needed)
-      diagnostics.fail(
-          "is truncated: it declares " + std::to_string(needed) + " bytes and has " + std::to_string(bytes.size()),
-          where);
-  };
-  truncated(20, "header");
-  if (const std::uint32_t version = littleEndian(bytes, 4); version != 2)
-    diagnostics.fail("is binary glTF of version " + std::to_string(version) + ", only 2 is supported", "header");
-  truncated(littleEndian(bytes, 8), "header");
-  const std::uint32_t jsonLength = littleEndian(bytes, 12);
-  if (littleEndian(bytes, 16) != kJson) diagnostics.fail("does not begin with a JSON chunk", "chunk 0");
-  truncated(std::uint64_t{20} + jsonLength, "chunk 0");
-  return {reinterpret_cast<const char*>(bytes.data()) + 20, jsonLength};
+  return root;
 }
 
 }  // namespace halfsilver::gltf

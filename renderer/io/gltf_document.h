@@ -15,9 +15,16 @@
 // get() and read buffers with gltf_accessors.
 namespace halfsilver::gltf {
 
+struct MeshoptSource {
+  int buffer = -1;
+  std::size_t offset = 0, length = 0, stride = 0, count = 0;
+  std::string mode, filter;
+};
+
 struct BufferView {
   int buffer = -1;
   std::size_t offset = 0, length = 0, stride = 0;  // bytes; stride 0: tightly packed
+  std::optional<MeshoptSource> meshopt = {};       // what the bytes above are to be decoded from
 };
 
 struct Sparse {
@@ -35,10 +42,17 @@ struct Accessor {
   std::optional<Sparse> sparse;
 };
 
+struct DracoSource {
+  int view = -1;
+  std::map<std::string, int> attributes;  // name -> the attribute's unique id
+};
+
 struct Primitive {
   std::map<std::string, int> attributes;
   std::vector<std::map<std::string, int>> targets;
   int indices = -1, material = -1, mode = 4;
+  std::map<int, int> variants = {};  // variant -> material
+  std::optional<DracoSource> draco = {};
 };
 
 struct Mesh {
@@ -52,6 +66,7 @@ struct Node {
   std::vector<int> children;
   int mesh = -1, skin = -1, camera = -1, light = -1;
   std::vector<double> translation, rotation, scale, matrix, weights;  // empty where absent
+  std::map<std::string, int> instancing = {};                         // EXT_mesh_gpu_instancing: attribute -> accessor
 };
 
 struct TextureInfo {
@@ -73,20 +88,20 @@ struct Sampler {
 };
 
 struct TextureSource {
-  int sampler = -1, image = -1;
+  int sampler = -1, image = -1, webp = -1, avif = -1;  // the last two to prefer where they can be decoded
 };
 
 struct ImageSource {
   std::string name;                 // for messages
   int view = -1;                    // -1: `bytes`
-  std::vector<std::uint8_t> bytes;  // encoded; empty if the file could not be read
+  std::vector<std::uint8_t> bytes;  // encoded
+  std::string problem;              // why there are none
 };
 
 struct Skin {
   std::vector<int> joints;
   int inverseBind = -1;
 };
-
 struct Channel {
   int node = -1, sampler = -1;
   std::string path;
@@ -130,6 +145,7 @@ struct Document {
   std::vector<Animation> animations;
   std::vector<CameraInfo> cameras;
   std::vector<LightInfo> lights;
+  std::vector<std::string> variants;
   std::optional<std::vector<int>> sceneNodes;  // nothing: every root
 };
 
@@ -160,8 +176,5 @@ const T& get(const std::vector<T>& list, int index, const char* name, const Diag
                      where);
   return list[static_cast<std::size_t>(index)];
 }
-
-// Decodes PNG or JPEG into RGBA8; false if it does not decode. Uses the decoder of the parser.
-bool decodeImage(std::span<const std::uint8_t> bytes, Texture& texture);
 
 }  // namespace halfsilver::gltf

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "io/gltf_accessors.h"
+#include "io/gltf_images.h"
 
 namespace halfsilver::gltf {
 namespace {
@@ -14,31 +15,6 @@ namespace {
 constexpr float kLargest = 1e9f;  // of a factor
 constexpr unsigned kLargestSide = 16384;
 constexpr std::uint64_t kMaxTexels = std::uint64_t{1} << 30;  // of all textures together
-
-std::uint32_t bigEndian(std::span<const std::uint8_t> bytes, std::size_t offset, std::size_t width) {
-  std::uint32_t value = 0;
-  for (std::size_t i = 0; i < width; ++i) value = value << 8 | bytes[offset + i];
-  return value;
-}
-
-// Walks the segments up to the frame header (ITU T.81, B.2.2).
-glm::uvec2 jpegSize(std::span<const std::uint8_t> bytes) {
-  for (std::size_t at = 2; at + 9 <= bytes.size();) {
-    if (bytes[at] != 0xff) {
-      ++at;
-      continue;
-    }
-    const std::uint8_t marker = bytes[at + 1];
-    if (marker == 0xff || marker == 0 || marker == 1 || (marker >= 0xd0 && marker <= 0xd8)) {
-      at += marker == 0xff ? 1 : 2;
-      continue;
-    }
-    const bool frame = marker >= 0xc0 && marker <= 0xcf && marker != 0xc4 && marker != 0xc8 && marker != 0xcc;
-    if (frame) return {bigEndian(bytes, at + 7, 2), bigEndian(bytes, at + 5, 2)};
-    at += 2 + bigEndian(bytes, at + 2, 2);
-  }
-  return glm::uvec2(0);
-}
 
 class Builder {
  public:
@@ -115,11 +91,14 @@ class Builder {
     if (info.texture == -1) return result;
     const TextureSource& source = get(document_.textures, info.texture, "textures", diagnostics_, where);
     const std::string place = item("textures", static_cast<std::size_t>(info.texture));
-    if (source.image < 0) {
+    int image = source.image;
+    if (source.webp >= 0) image = source.webp;
+    if (source.avif >= 0 && (image < 0 || canDecode(ImageFormat::avif))) image = source.avif;
+    if (image < 0) {
       diagnostics_.warn("a texture without a readable image was ignored: " + place);
       return result;
     }
-    result.texture = texture(source.image, srgb, place);
+    result.texture = texture(image, srgb, place);
     if (source.sampler >= 0)
       sample(get(document_.samplers, source.sampler, "samplers", diagnostics_, place), result, place);
     if (info.texCoord > 1)
@@ -173,16 +152,24 @@ class Builder {
     if (!source.name.empty()) place += " \"" + source.name.substr(0, 100) + "\"";
     std::span<const std::uint8_t> bytes(source.bytes);
     if (source.view >= 0) bytes = viewBytes(document_, diagnostics_, source.view, place);
-    if (bytes.empty()) diagnostics_.fail("an image cannot be read", place);
-    const glm::uvec2 size = imageSize(bytes);
-    if (size == glm::uvec2(0)) diagnostics_.fail("an image is neither PNG nor JPEG", place);
+    if (bytes.empty())
+      diagnostics_.fail("an image cannot be read" + (source.problem.empty() ? "" : ", " + source.problem), place);
+    const ImageHeader header = imageHeader(bytes);
+    const glm::uvec2 size = header.size;
+    if (header.format == ImageFormat::unknown)
+      diagnostics_.fail("an image is neither PNG nor JPEG nor WebP nor AVIF", place);
+    if (!canDecode(header.format)) diagnostics_.fail("an image is AVIF, which only OpenImageIO can read here", place);
     if (std::max(size.x, size.y) > kLargestSide)
       diagnostics_.fail("an image is " + std::to_string(size.x) + " x " + std::to_string(size.y) + ", at most " +
                             std::to_string(kLargestSide) + " per side is supported",
                         place);
+    if (!isPlausible(header, bytes))
+      diagnostics_.fail("an image is " + std::to_string(size.x) + " x " + std::to_string(size.y) + " in " +
+                            std::to_string(bytes.size()) + " bytes",
+                        place);
     reserve(size, place);
     texture.name = source.name;
-    if (!decodeImage(bytes, texture)) diagnostics_.fail("an image does not decode", place);
+    if (!decodeImage(header, bytes, texture)) diagnostics_.fail("an image does not decode", place);
   }
 
   // Checked before anything is decoded: a few bytes can expand to gigabytes.
@@ -199,14 +186,6 @@ class Builder {
 };
 
 }  // namespace
-
-glm::uvec2 imageSize(std::span<const std::uint8_t> bytes) {
-  constexpr std::uint8_t kPng[] = {0x89, 'P', 'N', 'G', 0x0d, 0x0a, 0x1a, 0x0a};
-  if (bytes.size() >= 24 && std::equal(std::begin(kPng), std::end(kPng), bytes.begin()))
-    return {bigEndian(bytes, 16, 4), bigEndian(bytes, 20, 4)};
-  if (bytes.size() >= 4 && bytes[0] == 0xff && bytes[1] == 0xd8) return jpegSize(bytes);
-  return glm::uvec2(0);
-}
 
 void buildMaterials(const Document& document, Diagnostics& diagnostics, Scene& scene) {
   Builder(document, diagnostics, scene).run();

@@ -9,7 +9,4 @@ namespace halfsilver::gltf {
 // as data becomes two textures.
 void buildMaterials(const Document& document, Diagnostics& diagnostics, Scene& scene);
 
-// Width and height that a PNG or JPEG file declares; {0, 0} if it is neither.
-glm::uvec2 imageSize(std::span<const std::uint8_t> bytes);
-
 }  // namespace halfsilver::gltf

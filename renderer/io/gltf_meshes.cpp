@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "io/gltf_accessors.h"
 #include "scene/tangents.h"
@@ -202,24 +203,39 @@ class Reader {
 
   void readSkin() {
     if (accessor("JOINTS_0") < 0 || accessor("WEIGHTS_0") < 0) return;
-    if (accessor("JOINTS_1") >= 0) diagnostics_.warn("only the first four joints of each vertex are used: " + where_);
-    const std::string where = where_ + ".JOINTS_0";
-    const auto joints = readUnsigned(document_, diagnostics_, accessor("JOINTS_0"), 4, where);
+    const auto name = [](const char* attribute, std::size_t set) { return attribute + std::to_string(set); };
+    std::size_t sets = 1;
+    while (accessor(name("JOINTS_", sets)) >= 0 && accessor(name("WEIGHTS_", sets)) >= 0) ++sets;
+    Instance& shape = geometry_.shape;
+    shape.jointSets = static_cast<std::uint32_t>(sets);
+    shape.joints.assign(sets * vertices_.size(), glm::uvec4(0));
+    shape.weights.assign(sets * vertices_.size(), glm::vec4(0));
+    for (std::size_t set = 0; set < sets; ++set) readInfluences(name("JOINTS_", set), name("WEIGHTS_", set), set);
+    for (std::size_t first = 0; first < shape.weights.size(); first += sets) {
+      const std::span<glm::vec4> weights(shape.weights.data() + first, sets);
+      double sum = 0;
+      for (const glm::vec4& weight : weights) sum += glm::dot(glm::dvec4(weight), glm::dvec4(1));
+      for (glm::vec4& weight : weights) weight = sum > 0 ? glm::vec4(glm::dvec4(weight) / sum) : glm::vec4(0);
+      if (!(sum > 0)) weights.front().x = 1;
+    }
+  }
+
+  void readInfluences(const std::string& jointName, const std::string& weightName, std::size_t set) {
+    const std::string where = where_ + "." + jointName;
+    const auto joints = readUnsigned(document_, diagnostics_, accessor(jointName), 4, where);
     if (joints.size() != 4 * vertices_.size()) diagnostics_.fail("does not have four joints per vertex", where);
-    const Floats weights = floats("WEIGHTS_0", accessor("WEIGHTS_0"), 4, 4);
+    const Floats weights = floats(weightName, accessor(weightName), 4, 4);
     Instance& shape = geometry_.shape;
     for (std::size_t i = 0; i < vertices_.size(); ++i) {
-      glm::vec4 weight = element<glm::vec4>(weights, i);
-      glm::uvec4 joint(0);
+      const auto weight = element<glm::vec4>(weights, i);
       for (int k = 0; k < 4; ++k) {
-        if (!std::isfinite(weight[k]) || weight[k] < 0) weight[k] = 0;
+        if (!std::isfinite(weight[k]) || weight[k] <= 0) continue;
         // The joint of an unused slot is often leftover data.
-        if (weight[k] > 0) joint[k] = joints[4 * i + static_cast<std::size_t>(k)];
-        geometry_.largestJoint = std::max(geometry_.largestJoint, joint[k]);
+        const std::uint32_t joint = joints[4 * i + static_cast<std::size_t>(k)];
+        shape.joints[i * shape.jointSets + set][k] = joint;
+        shape.weights[i * shape.jointSets + set][k] = weight[k];
+        geometry_.largestJoint = std::max(geometry_.largestJoint, joint);
       }
-      const double sum = glm::dot(glm::dvec4(weight), glm::dvec4(1));
-      shape.joints.push_back(joint);
-      shape.weights.push_back(sum > 0 ? glm::vec4(glm::dvec4(weight) / sum) : glm::vec4(1, 0, 0, 0));
     }
   }
 
@@ -259,10 +275,11 @@ class Reader {
         unshared.push_back(vertices_[index]);
         unshared.back().normal = faceNormal(triangle);
       }
-    const auto gather = [&](auto& list) {
+    const auto gather = [&](auto& list, std::size_t perVertex) {
       if (list.empty()) return;
       std::remove_reference_t<decltype(list)> gathered;
-      for (const std::uint32_t index : origins) gathered.push_back(list[index]);
+      for (const std::uint32_t index : origins)
+        for (std::size_t i = 0; i < perVertex; ++i) gathered.push_back(list[index * perVertex + i]);
       list = std::move(gathered);
     };
     forEachList(gather);
@@ -274,25 +291,26 @@ class Reader {
 
   // Extends the per-vertex data to vertices copied at the end.
   void follow(const std::vector<std::uint32_t>& copied) {
-    forEachList([&](auto& list) {
+    forEachList([&](auto& list, std::size_t perVertex) {
       if (list.empty()) return;
-      for (const std::uint32_t index : copied) {
-        auto value = list[index];
-        list.push_back(value);
-      }
+      for (const std::uint32_t index : copied)
+        for (std::size_t i = 0; i < perVertex; ++i) {
+          auto value = list[index * perVertex + i];
+          list.push_back(value);
+        }
     });
   }
 
   // The data that accompanies each vertex.
   template <class Change>
   void forEachList(const Change& change) {
-    change(geometry_.finite);
-    change(geometry_.shape.joints);
-    change(geometry_.shape.weights);
+    change(geometry_.finite, 1);
+    change(geometry_.shape.joints, geometry_.shape.jointSets);
+    change(geometry_.shape.weights, geometry_.shape.jointSets);
     for (auto& target : geometry_.shape.targets) {
-      change(target.positions);
-      change(target.normals);
-      change(target.tangents);
+      change(target.positions, 1);
+      change(target.normals, 1);
+      change(target.tangents, 1);
     }
   }
 
@@ -304,9 +322,27 @@ class Reader {
   std::vector<Vertex>& vertices_;
 };
 
+// How many points or lines a primitive is.
+void countLeftOut(const Document& document, const Diagnostics& diagnostics, const Primitive& source,
+                  const std::string& where, Geometry& geometry) {
+  constexpr int kPoints = 0, kLines = 1, kLoop = 2;
+  const auto position = source.attributes.find("POSITION");
+  const int accessor = source.indices >= 0                   ? source.indices
+                       : position == source.attributes.end() ? -1
+                                                             : position->second;
+  if (accessor < 0) diagnostics.fail("has no POSITION", where);
+  const std::size_t count = get(document.accessors, accessor, "accessors", diagnostics, where).count;
+  if (source.mode == kPoints)
+    geometry.points = count;
+  else
+    geometry.lines = source.mode == kLines  ? count / 2
+                     : source.mode == kLoop ? count
+                                            : count - std::min<std::size_t>(count, 1);
+}
+
 }  // namespace
 
-Geometry readPrimitive(const Document& document, Diagnostics& diagnostics, int mesh, int primitive,
+Geometry readPrimitive(const Document& document, Diagnostics& diagnostics, int mesh, int primitive, int variant,
                        std::vector<Material>& materials, std::optional<std::uint32_t>& defaultMaterial) {
   const Primitive& source =
       document.meshes[static_cast<std::size_t>(mesh)].primitives[static_cast<std::size_t>(primitive)];
@@ -318,12 +354,13 @@ Geometry readPrimitive(const Document& document, Diagnostics& diagnostics, int m
   if (source.mode < 0 || source.mode > kFan)
     diagnostics.fail("has the unknown mode " + std::to_string(source.mode), where);
   if (source.mode < kTriangles) {
-    diagnostics.warn("points and lines are ignored: " + where);
+    countLeftOut(document, diagnostics, source, where, geometry);
     return geometry;
   }
-  if (source.material >= 0) {
-    get(document.materials, source.material, "materials", diagnostics, where);
-    geometry.material = static_cast<std::uint32_t>(source.material);
+  const auto chosen = source.variants.find(variant);
+  if (const int material = chosen == source.variants.end() ? source.material : chosen->second; material >= 0) {
+    get(document.materials, material, "materials", diagnostics, where);
+    geometry.material = static_cast<std::uint32_t>(material);
   } else {
     if (!defaultMaterial) {
       defaultMaterial = static_cast<std::uint32_t>(materials.size());

@@ -1,14 +1,18 @@
 #include <halfsilver/io.h>
 
 #include <dlfcn.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <cstring>
 #include <fstream>
 #include <new>
 #include <string>
 
 #include <halfsilver/error.h>
+#include "io/openimageio.h"
 #include "io/openimageio_module.h"
 #include "io/small_codecs.h"
 
@@ -69,6 +73,23 @@ ImageFile readImage(const std::filesystem::path& file) {
     reject(file, "too large for this machine's memory");
   }
   return result;
+}
+
+bool hasOpenImageIo() { return openImageIo().read != nullptr; }
+
+bool decodeWithOpenImageIo(std::span<const std::uint8_t> bytes, const char* extension, ImageFile& result) {
+  if (!hasOpenImageIo()) return false;
+  std::string name = (std::filesystem::temp_directory_path() / "halfsilver-XXXXXX.").string() + extension;
+  const int descriptor = mkstemps(name.data(), static_cast<int>(std::strlen(extension)) + 1);
+  if (descriptor < 0) return false;
+  close(descriptor);
+  std::ofstream(name, std::ios::binary)
+      .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+  std::string problem;
+  const bool read = openImageIo().read(name, result, problem);
+  std::error_code ignored;
+  std::filesystem::remove(name, ignored);
+  return read;
 }
 
 std::vector<std::byte> encodePng(int width, int height, std::span<const std::uint8_t> rgba) {

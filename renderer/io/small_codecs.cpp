@@ -176,6 +176,29 @@ bool decodeSmall(std::span<const std::uint8_t> bytes, ImageFile& result, std::st
   return isExr(bytes) ? decodeExr(bytes, result, problem) : decodeStb(bytes, result, problem);
 }
 
+bool decodeRgba(std::span<const std::uint8_t> bytes, Texture& texture) {
+  if (bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) return false;
+  const auto* data = bytes.data();
+  const int size = static_cast<int>(bytes.size());
+  int width = 0, height = 0, channels = 0;
+  const auto take = [&](const auto* pixels, auto narrow) {
+    texture.width = width;
+    texture.height = height;
+    texture.texels.resize(std::size_t{4} * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    std::transform(pixels, pixels + texture.texels.size(), texture.texels.begin(), narrow);
+  };
+  if (stbi_is_16_bit_from_memory(data, size)) {
+    const std::unique_ptr<stbi_us, Freed> pixels(
+        stbi_load_16_from_memory(data, size, &width, &height, &channels, STBI_rgb_alpha));
+    if (pixels) take(pixels.get(), [](stbi_us value) { return static_cast<std::uint8_t>((value + 128u) / 257u); });
+    return pixels != nullptr;
+  }
+  const std::unique_ptr<stbi_uc, Freed> pixels(
+      stbi_load_from_memory(data, size, &width, &height, &channels, STBI_rgb_alpha));
+  if (pixels) take(pixels.get(), [](stbi_uc value) { return value; });
+  return pixels != nullptr;
+}
+
 std::vector<std::byte> encodeSmallPng(int width, int height, std::span<const std::uint8_t> rgba) {
   std::vector<std::byte> bytes;
   const auto append = [](void* context, void* data, int size) {

@@ -19,6 +19,9 @@ bool knowsFormat(std::span<const std::uint8_t> bytes);
 // False with one line in `problem` when the bytes do not decode.
 bool decodeSmall(std::span<const std::uint8_t> bytes, ImageFile& result, std::string& problem);
 
+// PNG or JPEG as 8-bit RGBA, 16 bits rounded; false if the bytes do not decode.
+bool decodeRgba(std::span<const std::uint8_t> bytes, Texture& texture);
+
 // Empty when the library refuses.
 std::vector<std::byte> encodeSmallPng(int width, int height, std::span<const std::uint8_t> rgba);
 

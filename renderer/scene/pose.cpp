@@ -108,12 +108,14 @@ struct Placer {
     if (!skinned) return matrices.front();
     glm::dmat4 sum(0);
     double total = 0;  // 1 up to the rounding of floats, which far from the origin is a visible distance
-    for (int k = 0; k < 4; ++k) {
-      const double weight = instance.weights[vertex][k];
-      if (weight == 0) continue;
-      sum += weight * matrices[instance.joints[vertex][k]];
-      total += weight;
-    }
+    const std::size_t sets = instance.jointSets;
+    for (std::size_t set = vertex * sets; set < (vertex + 1) * sets; ++set)
+      for (int k = 0; k < 4; ++k) {
+        const double weight = instance.weights[set][k];
+        if (weight == 0) continue;
+        sum += weight * matrices[instance.joints[set][k]];
+        total += weight;
+      }
     return total > 0 ? sum / total : sum;
   }
 
@@ -154,16 +156,33 @@ double decimalOf(float value) {
   return decimal;
 }
 
-// Rounded to the float that a key of the same decimal is, so that a key holds from its own time on, in every loop. A
-// loop is as long as the decimal that the file's duration stands for, and ends with the last pose: at each multiple of
-// it, but for 0.
+// What the float stands for: the fraction with the smallest denominator that rounds to it, as frames make them (16/15
+// for 1.0666667), or else its decimal. Two such fractions of up to an hour are further apart than a float's rounding.
+double exactDuration(float value) {
+  constexpr int kLargestDenominator = 240;
+  for (int denominator = 1; denominator <= kLargestDenominator; ++denominator) {
+    const double fraction = std::round(static_cast<double>(value) * denominator) / denominator;
+    if (static_cast<float>(fraction) == value) return fraction;
+  }
+  return decimalOf(value);
+}
+
+// Rounded to the float that a key of the same time is, so that a key holds from its own time on, in every loop. A loop
+// ends with the last pose: at each multiple of its duration, but for 0.
 float timeInLoop(double seconds, float duration) {
-  const double length = decimalOf(duration);
+  const double length = exactDuration(duration);
   if (!(length > 0)) return 0;
-  const double loops = seconds / length, whole = std::round(loops);
-  // Multiples of a decimal are a rounding error beside it.
-  if (whole >= 1 && std::abs(loops - whole) <= 1e-12 * whole) return duration;
-  return std::min(duration, static_cast<float>(seconds - length * std::floor(loops)));
+  for (const double end : {length, decimalOf(duration)}) {
+    // Multiples are a rounding error beside it.
+    const double loops = seconds / end, whole = std::round(loops);
+    if (whole >= 1 && std::abs(loops - whole) <= 1e-12 * whole) return duration;
+  }
+  return std::min(duration, static_cast<float>(seconds - length * std::floor(seconds / length)));
+}
+
+float timeOf(const Playing& playing, float duration) {
+  if (playing.loop) return timeInLoop(playing.seconds, duration);
+  return std::clamp(static_cast<float>(playing.seconds), 0.0f, duration);
 }
 
 // Makes the triangles of the instance wind as its pose asks for. Returns whether they did not.
@@ -187,7 +206,7 @@ PoseState evaluate(const Rig& rig, std::span<const Playing> playing) {
       throw Error(ErrorKind::usage, "there is no animation " + std::to_string(played.animation) + "; the scene has " +
                                         std::to_string(rig.animations.size()));
     const Animation& animation = rig.animations[static_cast<std::size_t>(played.animation)];
-    const float time = timeInLoop(played.seconds, animation.duration);
+    const float time = timeOf(played, animation.duration);
     for (const Channel& channel : animation.channels) {
       const auto node = static_cast<std::size_t>(channel.node);
       apply(channel, time, nodes[node], state.weights[node]);
@@ -200,9 +219,9 @@ PoseState evaluate(const Rig& rig, std::span<const Playing> playing) {
   return state;
 }
 
-std::vector<Playing> playTogether(std::span<const int> animations, double seconds) {
+std::vector<Playing> playTogether(std::span<const int> animations, double seconds, bool loop) {
   std::vector<Playing> playing;
-  for (const int animation : animations) playing.push_back({animation, seconds});
+  for (const int animation : animations) playing.push_back({animation, seconds, loop});
   return playing;
 }
 

@@ -110,15 +110,18 @@ InstanceShape::InstanceShape(const Rig& rig, const Instance& instance) {
   center_ = rest.center();
   const std::size_t matrices = matrixShares(rig, instance).size();
   const bool skinned = instance.skin >= 0 && !instance.joints.empty();
+  const std::size_t sets = skinned ? instance.jointSets : 0;
   boxes_.assign(matrices, {glm::dvec3(kInfinity), glm::dvec3(-kInfinity)});
   for (std::size_t i = 0; i < instance.rest.size(); ++i) {
     const glm::dvec3 point = glm::dvec3(instance.rest[i].position) - glm::dvec3(center_);
-    for (int k = 0; k < (skinned ? 4 : 1); ++k) {
-      if (skinned && instance.weights[i][k] == 0) continue;
-      Box& box = boxes_[skinned ? instance.joints[i][k] : 0];
+    const auto add = [&](Box& box) {
       box.low = glm::min(box.low, point);
       box.high = glm::max(box.high, point);
-    }
+    };
+    if (!skinned) add(boxes_.front());
+    for (std::size_t set = i * sets; set < (i + 1) * sets; ++set)
+      for (int k = 0; k < 4; ++k)
+        if (instance.weights[set][k] != 0) add(boxes_[instance.joints[set][k]]);
   }
   for (const Instance::MorphTarget& target : instance.targets) {
     Box& box = deltas_.emplace_back(Box{glm::dvec3(0), glm::dvec3(0)});

@@ -82,13 +82,14 @@ class RigCheck {
     if (skin >= rig_.skins.size()) fail("instance", index, "names skin " + std::to_string(skin) + ", which is none");
     const std::size_t joints = rig_.skins[skin].joints.size();
     if (joints == 0) fail("instance", index, "has a skin without joints");
-    if (instance.joints.size() != vertices || instance.weights.size() != vertices)
-      fail("instance", index, "has not one set of joints and weights per vertex");
-    for (std::size_t vertex = 0; vertex < vertices; ++vertex)
+    const std::size_t sets = instance.jointSets;
+    if (sets == 0 || instance.joints.size() != sets * vertices || instance.weights.size() != sets * vertices)
+      fail("instance", index, "has not as many sets of joints and weights per vertex as it says");
+    for (std::size_t set = 0; set < sets * vertices; ++set)
       for (int k = 0; k < 4; ++k)
-        if (instance.joints[vertex][k] >= joints)
+        if (instance.joints[set][k] >= joints)
           fail("instance", index,
-               "has at vertex " + std::to_string(vertex) + " the joint " + std::to_string(instance.joints[vertex][k]) +
+               "has at vertex " + std::to_string(set / sets) + " the joint " + std::to_string(instance.joints[set][k]) +
                    " of " + std::to_string(joints));
   }
 

@@ -32,11 +32,13 @@ Placement placementOf(vec4 rows[3]) {
 
 Placement placementOf(uint vertex) {
 #ifdef SKINNED
-  JointInfluences influence = influences[group.influences + vertex];
   vec4 rows[3] = vec4[3](vec4(0.0), vec4(0.0), vec4(0.0));
-  for (int k = 0; k < 4; ++k) {
-    PoseMatrix matrix = poseMatrices[group.matrix + influence.joints[k]];
-    for (int row = 0; row < 3; ++row) rows[row] += influence.weights[k] * matrix.rows[row];
+  for (uint set = 0u; set < group.jointSets; ++set) {
+    JointInfluences influence = influences[group.influences + group.jointSets * vertex + set];
+    for (int k = 0; k < 4; ++k) {
+      PoseMatrix matrix = poseMatrices[group.matrix + influence.joints[k]];
+      for (int row = 0; row < 3; ++row) rows[row] += influence.weights[k] * matrix.rows[row];
+    }
   }
   return placementOf(rows);
 #else

@@ -272,6 +272,66 @@ TEST(Pose, SkinBlendsJointsAndIgnoresItsNode) {
   EXPECT_TRUE(near(corner(model, 2), {0, 1 + 2, 14.0f / 3}));
 }
 
+TEST(Pose, EverySetOfJointsCounts) {
+  GltfFile file = animated("translation", {0, 1}, {0, 0, 0, 0, 6, 0}, "VEC3", "LINEAR");
+  file.root["nodes"][0].erase("mesh");
+  json& attributes = file.root["meshes"][0]["primitives"][0]["attributes"];
+  const int still = file.accessor(std::vector<std::uint8_t>(12, 0), "VEC4");
+  const int moving = file.accessor(std::vector<std::uint8_t>{0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 1}, "VEC4");
+  const int half = file.accessor(std::vector<float>{0.5, 0, 0, 0, 0.5, 0, 0, 0, 0.25, 0, 0, 0}, "VEC4");
+  const int last = file.accessor(std::vector<float>{0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0.75}, "VEC4");
+  attributes["JOINTS_0"] = still;
+  attributes["WEIGHTS_0"] = half;
+  attributes["JOINTS_1"] = moving;
+  attributes["WEIGHTS_1"] = half;
+  attributes["JOINTS_2"] = moving;
+  attributes["WEIGHTS_2"] = last;
+  const int rest = file.add("nodes", json::object());
+  file.add("nodes", {{"mesh", 0}, {"skin", 0}});
+  file.add("skins", {{"joints", {rest, 0}}});
+  Model model = load(file);
+  ASSERT_EQ(model.rig.instances.size(), 1u);
+  EXPECT_EQ(model.rig.instances[0].jointSets, 3u);
+  poseAt(model, 0.5);
+  EXPECT_TRUE(near(corner(model, 0), {0, 0, 0}));
+  EXPECT_TRUE(near(corner(model, 1), {1, 1.5f, 0})) << "half by a joint of the second set";
+  EXPECT_TRUE(near(corner(model, 2), {0, 1 + 3 * 0.6f, 0})) << "of weights whose sum is 1.25, 0.75 in the third set";
+}
+
+// Frames of a clip that is a whole number of frames long, whatever loop they are in.
+TEST(Pose, LoopsDoNotDriftInAnHour) {
+  for (const int fps : {24, 25, 30, 48, 60})
+    for (const int frames : {7, 10, 32, 65, 100}) {
+      std::vector<float> times, values;
+      for (int frame = 0; frame <= frames; ++frame) {
+        times.push_back(static_cast<float>(static_cast<double>(frame) / fps));
+        values.insert(values.end(), {static_cast<float>(frame), 0, 0});
+      }
+      Model model = load(animated("translation", times, values, "VEC3", "STEP"));
+      int wrong = 0;
+      for (int frame = 3600 * fps - 2 * frames; frame < 3600 * fps + 2 * frames; ++frame) {
+        poseAt(model, static_cast<double>(frame) / fps);
+        const int expected = frame % frames == 0 ? frames : frame % frames;
+        wrong += !near(corner(model, 0) + glm::vec3(model.scene.origin), {static_cast<float>(expected), 0, 0});
+      }
+      EXPECT_EQ(wrong, 0) << fps << " fps, " << frames << " frames";
+    }
+}
+
+TEST(Pose, WithoutLoopsTheEndsHold) {
+  Model model = load(animated("translation", {0, 2}, {0, 0, 0, 4, 0, 0}, "VEC3", "LINEAR"));
+  const auto at = [&](double seconds) {
+    const Playing playing{.animation = 0, .seconds = seconds, .loop = false};
+    pose(model, std::span(&playing, 1));
+    return corner(model, 0).x;
+  };
+  EXPECT_FLOAT_EQ(at(0.5), 1);
+  EXPECT_FLOAT_EQ(at(2), 4);
+  EXPECT_FLOAT_EQ(at(2.5), 4);
+  EXPECT_FLOAT_EQ(at(3600), 4);
+  EXPECT_FLOAT_EQ(at(-1), 0);
+}
+
 TEST(Pose, FarScenesMoveWithDoublePrecision) {
   GltfFile file = animated("translation", {0, 1}, {0, 0, 0, 0.001f, 0, 0}, "VEC3", "LINEAR");
   file.add("nodes", {{"translation", {1e7, 0, 0}}, {"children", {0}}});

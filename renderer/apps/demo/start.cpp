@@ -50,15 +50,19 @@ Settings rightSide(const Request& request, const Settings& left) {
 std::unique_ptr<Play> makeViewer(const Request& request, const std::string& scene) {
   ViewRequest view = request.view;
   view.scene = scene;
-  if (scene != request.view.scene) view.animation.clear();  // it is one of the scene on the command line
+  if (scene != request.view.scene) {  // these are of the scene on the command line
+    view.animation.clear();
+    view.variant.clear();
+  }
   const ViewArguments arguments = checkView(view);
   PosedView loaded{loadModel(view, arguments), {}, {}};
   const std::vector<int> animations = chooseAnimations(loaded.model.rig, view.animation, loaded.model.warnings);
-  poseView(loaded, animations, view.time.value_or(0));
+  poseView(loaded, animations, view.time.value_or(0), view.loop);
   const Camera camera = chooseCamera(loaded, arguments.camera);
   auto viewer = std::make_unique<Viewer>(std::move(loaded.model), camera, std::move(*loaded.animated));
   if (!view.animation.empty() && view.animation != "all") viewer->choose(animations.front());
   viewer->seconds = view.time.value_or(0);
+  viewer->loop = view.loop;
   return viewer;
 }
 

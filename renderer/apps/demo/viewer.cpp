@@ -16,7 +16,7 @@ Viewer::Viewer(Model model, const Camera& start, AnimatedBounds bounds)
 void Viewer::step(const Controls& controls, double elapsed) {
   camera_.follow(controls, elapsed, windowHeight_);
   if (!paused) seconds += elapsed;
-  if (!playing_.empty()) state_ = evaluate(model_.rig, playTogether(playing_, seconds));
+  if (!playing_.empty()) state_ = evaluate(model_.rig, playTogether(playing_, seconds, loop));
 }
 
 std::vector<std::string> Viewer::status() const { return {model_.scene.name}; }

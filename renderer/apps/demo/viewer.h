@@ -34,6 +34,7 @@ class Viewer final : public Play {
 
   double seconds = 0;  // of the animations
   bool paused = false;
+  bool loop = true;  // else the animations' last pose holds
 
  private:
   Model model_;

@@ -18,11 +18,16 @@
 // halfsilver::io: scenes, images and settings files.
 namespace halfsilver {
 
+struct GltfOptions {
+  std::string variant;  // of KHR_materials_variants, by name or index; empty: the materials that the primitives name
+};
+
 // Reads a glTF 2.0 scene (.gltf or .glb, recognized by content) with all files that it refers to, flattened at rest.
 // Model::warnings lists what had to be changed or ignored. Throws Error (badInput), "file: what: where", for anything
-// unusable; no input makes it crash or allocate without bound.
+// unusable, and Error (usage) for an unknown variant; no input makes it crash or allocate without bound. Buffers and
+// images are read from the scene's folder and below it, never from outside.
 // Source: the glTF 2.0 specification of the Khronos Group.
-Model loadGltf(const std::filesystem::path& file);
+Model loadGltf(const std::filesystem::path& file, const GltfOptions& options = {});
 
 // Images in and out. stb reads and writes PNG and reads JPEG and HDR, tinyexr writes EXR. OpenImageIO, if the project
 // is built with it, reads EXR and all other formats and compares perceptually; since its 260 shared libraries take a

@@ -36,8 +36,9 @@ struct Instance {
     std::vector<glm::vec3> positions, normals, tangents;  // empty or one per vertex
   };
   std::vector<MorphTarget> targets;
-  std::vector<glm::uvec4> joints;  // empty or one per vertex
-  std::vector<glm::vec4> weights;  // sum 1
+  std::uint32_t jointSets = 1;     // sets of four joints that each vertex has, one after the other
+  std::vector<glm::uvec4> joints;  // empty or jointSets per vertex
+  std::vector<glm::vec4> weights;  // as many; those of a vertex have the sum 1
   bool flatNormals = false;        // vertices 3k .. 3k + 2 are one triangle, whose normal follows its deformed corners
   bool turned = false;             // its triangles wind the other way round than the file's, since it is mirrored
 };
@@ -91,6 +92,7 @@ struct Model {
   Rig rig;                  // without instances if nothing can move
   std::vector<Part> parts;  // in the order of the triangles
   DropCounts dropped;
+  std::vector<std::string> variants;  // names of the material variants that a loader can choose from
   std::vector<std::string> warnings;  // one line each
 };
 

@@ -13,11 +13,14 @@
 // of how vertices follow, on the CPU. Source: the glTF 2.0 specification, sections 3.7 and 3.11.
 namespace halfsilver {
 
-// An animation at a time of its own. It loops: a time beyond its duration starts again; the duration itself and its
-// multiples are the last pose. Keys compare as the floats that they are.
+// An animation at a time of its own. Keys compare as the floats that they are.
 struct Playing {
   int animation = 0;  // into Rig::animations
   double seconds = 0;
+  // A time beyond the duration starts again; the duration itself and its multiples are the last pose. Loops do not
+  // drift: the duration is the simplest fraction that rounds to the file's float, 16/15 for 1.0666667. Without loops
+  // the first and the last pose hold.
+  bool loop = true;
 };
 
 struct PoseState {
@@ -30,7 +33,7 @@ struct PoseState {
 PoseState evaluate(const Rig& rig, std::span<const Playing> playing);
 
 // The animations at one time.
-std::vector<Playing> playTogether(std::span<const int> animations, double seconds);
+std::vector<Playing> playTogether(std::span<const int> animations, double seconds, bool loop = true);
 
 // All animations that can be played together, in the file's order: each that moves no property of a node that one
 // before it moves.

@@ -27,7 +27,7 @@ struct RestVertex {
 
 struct JointInfluences {
   uint joints[4];
-  float weights[4];  // sum 1
+  float weights[4];  // those of a vertex have the sum 1
 };
 
 struct MorphWeight {
@@ -50,9 +50,9 @@ struct PoseGroup {
   uint morphWeights;
   uint morphCount;
   uint flags;
+  uint jointSets;  // JointInfluences per vertex
   uint padding0;
   uint padding1;
-  uint padding2;
 };
 
 #endif
