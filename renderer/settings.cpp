@@ -17,7 +17,7 @@ constexpr auto choiceNames(Posing) { return std::array{"gpu", "cpu"}; }
 constexpr auto choiceNames(SelectMode) { return std::array{"none", "reflective", "all"}; }
 constexpr auto choiceNames(SelectPattern) { return std::array{"scattered", "region"}; }
 constexpr auto choiceNames(Fill) { return std::array{"sky", "neighbours"}; }
-constexpr auto choiceNames(VoxelRaster) { return std::array{"voxel", "abuffer", "conservative"}; }
+constexpr auto choiceNames(VoxelRaster) { return std::array{"voxel", "abuffer", "conservative", "shifted"}; }
 constexpr auto choiceNames(AxisRule) { return std::array{"normal", "area", "own"}; }
 constexpr auto choiceNames(TraceStage) { return std::array{"compute", "fragment"}; }
 constexpr auto choiceNames(Effect) { return std::array{"reflection", "whitted", "occlusion", "path", "layers"}; }

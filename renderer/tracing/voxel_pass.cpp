@@ -12,6 +12,7 @@ namespace {
 std::vector<gl::Define> rasterDefines(VoxelRaster raster, AxisRule axis) {
   std::vector<gl::Define> defines;
   if (raster == VoxelRaster::conservative) defines.push_back({"CONSERVATIVE"});
+  if (raster == VoxelRaster::shifted) defines.push_back({"SHIFTED"});
   if (axis != AxisRule::own) defines.push_back({"ACCUMULATE"});
   return defines;
 }

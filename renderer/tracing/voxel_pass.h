@@ -21,7 +21,7 @@ struct Voxels {
 
 // Rasterizes the scene into the grid and chooses the dominant axes; see VoxelRaster and AxisRule.
 // Sources: Crassin & Green 2012 (projection along the triangle's own axis), Hu et al. 2014, section 3.1, Kastrati &
-// Goswami 2017, section 3.2.1.
+// Goswami 2017, section 3.2.1; Hasselgren et al. 2005 (shifted edges).
 class VoxelPass {
  public:
   VoxelPass(const gl::Api& api, VoxelRaster raster, AxisRule axis);

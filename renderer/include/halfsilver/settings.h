@@ -27,9 +27,10 @@ enum class Fill {
   neighbours  // what was traced for the pixels around it
 };
 enum class VoxelRaster {
-  voxel,        // rasterized at voxel resolution, as the papers' separate pass would
-  abuffer,      // at A-buffer resolution
-  conservative  // every voxel that a triangle touches
+  voxel,         // rasterized plainly, at voxel resolution
+  abuffer,       // at A-buffer resolution
+  conservative,  // every voxel that a triangle touches
+  shifted        // at voxel resolution, edges shifted outwards by half a texel, one depth per texel (Kastrati & Goswami)
 };
 enum class AxisRule {
   normal,  // dominant component of the sum of signed normals (Kastrati & Goswami 2017)
