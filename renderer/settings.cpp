@@ -51,6 +51,7 @@ void visitMethods(S& s, Visitor&& visit, Wanted&& wanted) {
   };
   IdentitySettings::visit(s.identity, visitWanted);
   AttributeSettings::visit(s.attributes, visitWanted);
+  DepthCubeSettings::visit(s.depthCube, visitWanted);
 }
 
 // The table: visit(name, value, low, high, help) for each setting; low and high count for numbers only.

@@ -6,6 +6,7 @@
 #include <halfsilver/tracer.h>
 #include "tracing/attributes/attribute_tracer.h"
 #include "tracing/bvh/bvh_tracer.h"
+#include "tracing/depth_cube/depth_cube_tracer.h"
 #include "tracing/identity/identity_tracer.h"
 #include "tracing/screen/screen_tracer.h"
 
@@ -17,6 +18,7 @@ const std::vector<Method>& table() {
   static const std::vector<Method> rows = {
       {{.name = "none", .help = "no tracing"}, [](const gl::Api&, const Settings&) { return nullptr; }},
       AttributeTracer::method(),
+      DepthCubeTracer::method(),
       IdentityTracer::method(),
       BvhTracer::method(),
       ScreenTracer::method(),

@@ -100,8 +100,9 @@ TEST_P(EveryPreset, PictureLayersAndStatisticsAgree) {
 
 INSTANTIATE_TEST_SUITE_P(Render, EveryPreset,
                          testing::Values(PresetCase{"deferred", false, true}, PresetCase{"kastrati2017", false, false},
-                                         PresetCase{"hu2014", true, false}, PresetCase{"reference", false, false},
-                                         PresetCase{"bvh", false, false}, PresetCase{"screen-space", false, false},
+                                         PresetCase{"hu2014", true, false}, PresetCase{"burger2007", false, false},
+                                         PresetCase{"reference", false, false}, PresetCase{"bvh", false, false},
+                                         PresetCase{"screen-space", false, false},
                                          PresetCase{"halfsilver", false, false}, PresetCase{"occlusion", true, false},
                                          PresetCase{"path", true, false}, PresetCase{"whitted", true, false}),
                          [](const auto& instance) {

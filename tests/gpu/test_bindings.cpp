@@ -210,8 +210,9 @@ class Bindings : public ContextTest {
     renderer.readLayers();
 
     EXPECT_GT(report.selected, 100u) << "there must be rays";
-    for (const char* pass : {"shadow", "gbuffer", "select", "voxelize", "build", "trace", "shade", "composite"})
+    for (const char* pass : {"shadow", "gbuffer", "select", "build", "trace", "shade", "composite"})
       EXPECT_GT(audit.checks(pass), 0u) << pass;
+    EXPECT_EQ(audit.checks("voxelize") > 0, settings.trace.method != "depth-cube") << "which has no voxels";
     for (const std::string& complaint : audit.complaints()) ADD_FAILURE() << complaint;
   }
 
@@ -241,6 +242,19 @@ TEST_F(Bindings, OfIdentityLists) { expectNothingBorrowed(litSoup(), kAbove, {})
 
 TEST_F(Bindings, OfIdentityListsThatFollowMoves) {
   expectNothingBorrowed(litSoup(), kAbove, {{"abuffer.keep", "true"}, {"voxels.axis", "own"}});
+}
+
+TEST_F(Bindings, OfALayeredDepthCube) {
+  expectNothingBorrowed(litSoup(), kAbove, {{"trace.method", "depth-cube"}, {"abuffer.resolution", "128"}});
+}
+
+TEST_F(Bindings, OfShiftedEdges) {
+  expectNothingBorrowed(litSoup(), kAbove,
+                        {{"trace.method", "attributes"},
+                         {"voxels.resolution", "32"},
+                         {"voxels.raster", "shifted"},
+                         {"voxels.axis", "normal"},
+                         {"abuffer.resolution", "128"}});
 }
 
 TEST_F(Bindings, OfAttributesInPages) {

@@ -47,11 +47,17 @@ const MethodCase kMethods[] = {
     {"exact", "reference", {}, 0},
     {"bvh", "bvh", {}, 0},
     {"screen_space", "screen-space", {}, 0.107},
-    {"kastrati2017", "kastrati2017", {{"abuffer.resolution", "256"}}, 0.113},
+    {"kastrati2017", "kastrati2017", {{"abuffer.resolution", "256"}}, 0.086},
+    {"kastrati_plain", "kastrati2017", {{"voxels.raster", "voxel"}, {"abuffer.resolution", "256"}}, 0.106},
     {"kastrati_full",
      "kastrati2017",
      {{"voxels.raster", "abuffer"}, {"search.steps", "0"}, {"abuffer.resolution", "256"}},
      0.063},
+    {"burger2007", "burger2007", {{"abuffer.resolution", "256"}}, 0.045},
+    {"burger_all_axes",
+     "burger2007",
+     {{"cube.axes", "all"}, {"cube.depth", "single"}, {"cube.block", "5"}, {"abuffer.resolution", "256"}},
+     0.055},
     {"hu2014", "hu2014", {{"select.mode", "reflective"}, {"abuffer.resolution", "256"}}, 0.048},
     {"hu_full", "hu2014", {{"select.mode", "reflective"}, {"search.steps", "0"}, {"abuffer.resolution", "256"}}, 0.064},
 };
@@ -112,7 +118,7 @@ TEST_P(MethodTest, BatchesForSmallStorageBlocksChangeNothing) {
 TEST_P(MethodTest, FragmentsEqualCompute) {
   if (GetParam().name == std::string("exact")) GTEST_SKIP() << "the exact tracer has no shader stage";
   const Scene scene = soup(300);
-  const Frame compute = draw(scene, kAbove, settings(), 64, 48);
+  const Frame compute = draw(scene, kAbove, settings({{"trace.stage", "compute"}}), 64, 48);
   const Frame fragment = draw(scene, kAbove, settings({{"trace.stage", "fragment"}}), 64, 48);
   EXPECT_GT(compute.report.selected, 300u);
   EXPECT_EQ(compute.layers.data, fragment.layers.data);

@@ -226,7 +226,7 @@ TEST_F(TracingTest, BacksOfSingleSidedPlanesAreInvisibleToEveryMethod) {
   addQuad(scene, {-2, 0, 2}, {2, 0, 2}, {2, 0, -2}, {-2, 0, -2}, 0);
   addQuad(scene, {-1, 0.7f, 1}, {1, 0.7f, 1}, {1, 0.7f, -1}, {-1, 0.7f, -1}, 1);  // faces up, away from the mirror
   const Camera camera = lookAt({0, 0.4f, 3}, {0, 0, 0.5f});
-  for (const char* preset : {"halfsilver", "bvh", "kastrati2017", "hu2014", "reference"}) {
+  for (const char* preset : {"halfsilver", "bvh", "burger2007", "kastrati2017", "hu2014", "reference"}) {
     Settings settings = settingsWith({});
     applyPreset(settings, preset);
     set(settings, "select.mode", "reflective");

@@ -78,6 +78,7 @@ const std::map<std::string, std::string> kPublicHeaders = {
     {"gl/texel_buffer.h", "gl"},
     {"gl/texture.h", "gl"},
     {"methods/attributes.h", "settings"},
+    {"methods/depth_cube.h", "settings"},
     {"methods/identity.h", "settings"},
 };
 // clang-format on

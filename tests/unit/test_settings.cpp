@@ -69,8 +69,8 @@ TEST(Settings, MethodsAreThoseOfTheTable) {
     }
     EXPECT_EQ(method.preset.empty(), method.knobs.empty()) << method.name;
   }
-  EXPECT_EQ(names,
-            (std::vector<std::string>{"none", "attributes", "identity", "bvh", "screen-space", "exact", "auto"}));
+  EXPECT_EQ(names, (std::vector<std::string>{"none", "attributes", "depth-cube", "identity", "bvh", "screen-space",
+                                             "exact", "auto"}));
   EXPECT_EQ(find(infos, "trace.method").choices, names);
   EXPECT_THROW(methodInfo("identities"), Error);
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <halfsilver/methods/attributes.h>
+#include <halfsilver/methods/depth_cube.h>
 #include <halfsilver/methods/identity.h>
 
 // Every setting of the renderer, with its unit, range and default. Defaults live here and nowhere else; a preset in
@@ -13,10 +14,7 @@
 // statistics share.
 namespace halfsilver {
 
-enum class Posing {
-  gpu,  // within 1e-5 of the scene's diagonal
-  cpu   // in double precision, the reference
-};
+enum class Posing { gpu, cpu };  // within 1e-5 of the scene's diagonal; in double precision, the reference
 enum class SelectMode { none, reflective, all };
 enum class SelectPattern {
   scattered,  // evenly over the screen
@@ -30,7 +28,7 @@ enum class VoxelRaster {
   voxel,         // rasterized plainly, at voxel resolution
   abuffer,       // at A-buffer resolution
   conservative,  // every voxel that a triangle touches
-  shifted        // at voxel resolution, edges shifted outwards by half a texel, one depth per texel (Kastrati & Goswami)
+  shifted        // at voxel resolution, edges shifted by half a texel, one depth each (Kastrati & Goswami 2017)
 };
 enum class AxisRule {
   normal,  // dominant component of the sum of signed normals (Kastrati & Goswami 2017)
@@ -152,6 +150,7 @@ struct Settings {
   ABufferSettings abuffer;
   IdentitySettings identity;
   AttributeSettings attributes;
+  DepthCubeSettings depthCube;
   TraceSettings trace;
   EffectSettings effect;
   ShadowSettings shadow;

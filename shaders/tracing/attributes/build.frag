@@ -6,7 +6,7 @@
 #include "shared/tracing.h"
 #include "tracing/attributes/entry.glsl"
 #include "tracing/attributes/reserve_entry.glsl"
-#include "tracing/attributes/stored_surface.glsl"
+#include "tracing/common/stored_surface.glsl"
 #include "tracing/common/counters.glsl"
 #include "tracing/common/grid.glsl"
 #include "tracing/common/voxel_store.glsl"

@@ -1,4 +1,4 @@
-// What a fragment of the attribute methods keeps of its surface: base color, interpolated normal and reflectivity
+// What methods that store attributes keep of a surface: base color, interpolated normal and reflectivity
 // (Kastrati & Goswami 2017, figure 2). Only the textures that these need are read.
 #include "lib/evaluate_surface.glsl"
 #include "lib/fresnel.glsl"
