@@ -113,6 +113,21 @@ bool decodeExr(std::span<const std::uint8_t> bytes, ImageFile& result, std::stri
   return true;
 }
 
+// stb takes the memory that a PNG's chunk asks for before it looks whether the chunk is there.
+bool chunksFit(std::span<const std::uint8_t> bytes) {
+  constexpr std::size_t kSignature = 8, kAround = 12;
+  if (bytes.size() < kSignature || bytes[0] != 0x89) return true;  // no PNG
+  for (std::size_t at = kSignature; at < bytes.size();) {
+    if (bytes.size() - at < kAround) return false;
+    const std::size_t length = std::size_t{bytes[at]} << 24 | std::size_t{bytes[at + 1]} << 16 |
+                               std::size_t{bytes[at + 2]} << 8 | std::size_t{bytes[at + 3]};
+    if (length > bytes.size() - at - kAround) return false;
+    if (std::memcmp(bytes.data() + at + 4, "IEND", 4) == 0) return true;
+    at += kAround + length;
+  }
+  return true;
+}
+
 template <class T>
 void takePixels(const T* pixels, float scale, Image& image) {
   image.data.resize(image.pixelCount() * image.channels.size());
@@ -123,6 +138,10 @@ bool decodeStb(std::span<const std::uint8_t> bytes, ImageFile& result, std::stri
   const auto* data = bytes.data();
   const int size = static_cast<int>(bytes.size());
   int width = 0, height = 0, channels = 0;
+  if (!chunksFit(bytes)) {
+    problem = "the file is cut off";
+    return false;
+  }
   if (!stbi_info_from_memory(data, size, &width, &height, &channels)) {
     problem = std::string("not an image: ") + stbi_failure_reason();
     return false;
@@ -177,7 +196,7 @@ bool decodeSmall(std::span<const std::uint8_t> bytes, ImageFile& result, std::st
 }
 
 bool decodeRgba(std::span<const std::uint8_t> bytes, Texture& texture) {
-  if (bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) return false;
+  if (bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()) || !chunksFit(bytes)) return false;
   const auto* data = bytes.data();
   const int size = static_cast<int>(bytes.size());
   int width = 0, height = 0, channels = 0;

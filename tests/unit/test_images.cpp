@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <limits>
@@ -8,6 +9,7 @@
 #include <halfsilver/error.h>
 #include <halfsilver/io.h>
 #include "io/atomic_file.h"
+#include "io/small_codecs.h"
 #include "temporary_folder.h"
 
 namespace halfsilver {
@@ -157,6 +159,19 @@ TEST(AtomicFile, RefusesWhatCannotBeWrittenAtOnce) {
     EXPECT_NE(std::string(error.what()).find(target.string()), std::string::npos) << error.what();
   }
   EXPECT_TRUE(fs::is_character_file("/dev/null"));
+}
+
+TEST(Images, APngWhoseChunkIsLongerThanTheFileTakesNoMemoryForIt) {
+  const std::vector<std::uint8_t> texel = {1, 2, 3, 4};
+  std::vector<std::byte> png = encodePng(1, 1, texel);
+  std::vector<std::uint8_t> bytes(png.size());
+  std::memcpy(bytes.data(), png.data(), png.size());
+  ImageFile image;
+  std::string problem;
+  EXPECT_TRUE(decodeSmall(bytes, image, problem)) << problem;
+  bytes[33] = 0x3f;  // the second chunk claims a gigabyte
+  EXPECT_FALSE(decodeSmall(bytes, image, problem));
+  EXPECT_EQ(problem, "the file is cut off");
 }
 
 }  // namespace
