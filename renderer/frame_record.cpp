@@ -37,6 +37,7 @@ void FrameRecord::begin() {
 void FrameRecord::end(const Frame& frame, const Tracer* tracer, const MemoryReport& held,
                       std::vector<std::string> warnings) {
   known_.pixels = static_cast<std::uint64_t>(frame.gbuffer.width) * static_cast<std::uint64_t>(frame.gbuffer.height);
+  known_.minDistance = frame.host.minDistance;
   known_.warnings = std::move(warnings);
   known_.memory = held;
   known_.memory.gbuffer = frame.gbuffer.bytes();

@@ -144,6 +144,7 @@ Json toJson(const RunStatistics& s) {
                     {"coverage", coverage(s.report)},
                     {"samples", s.samples}};
   json["pixels"]["passes"] = s.report.passes;
+  json["rays"]["min_distance"] = s.report.minDistance;
   for (std::size_t kind = 0; kind < kRayKinds.size(); ++kind) json["rays"][kRayKinds[kind]] = s.report.rays[kind];
   json["memory"] = {{"voxels", memory.voxels},
                     {"heads", memory.heads},

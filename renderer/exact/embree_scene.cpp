@@ -1,6 +1,7 @@
 #include "exact/embree_scene.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <string>
 
@@ -25,7 +26,7 @@ constexpr std::size_t kGhosts = 8;
 struct RayContext : RTCIntersectContext {
   const Scene* scene = nullptr;
   const EmbreeParts* parts = nullptr;
-  bool cullBackFaces = true, blends = false;
+  RayQuery query;
   const Ray* rays = nullptr;  // by RTCRay::id
   Hit* accepted = nullptr;    // likewise
 };
@@ -37,25 +38,32 @@ RayContext makeContext(const Scene& scene, const EmbreeParts& parts, const RayQu
   context.filter = filter;
   context.scene = &scene;
   context.parts = &parts;
-  context.cullBackFaces = query.cullBackFaces;
-  context.blends = query.blends;
+  context.query = query;
   context.rays = rays;
   context.accepted = accepted;
   return context;
 }
 
-bool visible(const RayContext& context, const Ray& ray, std::uint32_t number, glm::vec2 barycentrics) {
+float nearestOf(const Ray& ray, const RayQuery& query) {
+  const glm::vec3 size = glm::abs(ray.origin);
+  return std::min(NEAREST_SHARE * std::max({size.x, size.y, size.z}), query.minDistance);
+}
+
+// See startsInPlane() of test_candidate.glsl.
+bool visible(const RayContext& context, const Ray& ray, std::uint32_t number, double t, glm::vec2 barycentrics) {
   if (number == ray.excluded) return false;
   const Scene& scene = *context.scene;
   const Triangle& triangle = scene.triangles[number];
   const Material& material = scene.materials[triangle.material];
-  if (context.cullBackFaces && !seenFromBehind(material)) {
-    const glm::dvec3 a = scene.vertices[triangle.vertices[0]].position;
-    const glm::dvec3 b = scene.vertices[triangle.vertices[1]].position;
-    const glm::dvec3 c = scene.vertices[triangle.vertices[2]].position;
-    if (glm::dot(glm::cross(b - a, c - a), glm::dvec3(ray.direction)) > 0) return false;
-  }
-  return !cutAway(scene, number, barycentrics, context.blends);
+  const glm::dvec3 a = scene.vertices[triangle.vertices[0]].position;
+  const glm::dvec3 b = scene.vertices[triangle.vertices[1]].position;
+  const glm::dvec3 c = scene.vertices[triangle.vertices[2]].position;
+  const glm::dvec3 normal = glm::cross(b - a, c - a);
+  const double along = glm::dot(normal, glm::dvec3(ray.direction));
+  if (context.query.cullBackFaces && !seenFromBehind(material) && along > 0) return false;
+  const auto least = static_cast<double>(nearestOf(ray, context.query));
+  if (t <= 64 * least && std::abs(along) * t < least * glm::length(normal)) return false;
+  return !cutAway(scene, number, barycentrics, context.query.blends);
 }
 
 // Called for hits that are no farther than the last one that was accepted: that one stands if it is as near and has the
@@ -73,7 +81,7 @@ void filter(const RTCFilterFunctionNArguments* arguments) {
     Hit& accepted = context.accepted[id];
     const bool tied = accepted.t == t && accepted.triangle < number;
     const bool ghost = geometry == EmbreeParts::kStill && context.parts->moves[number];
-    if (!tied && !ghost && visible(context, context.rays[id], number, barycentrics))
+    if (!tied && !ghost && visible(context, context.rays[id], number, static_cast<double>(t), barycentrics))
       accepted = {t, number, barycentrics.x, barycentrics.y};
     else
       arguments->valid[lane] = 0;
@@ -227,7 +235,7 @@ void EmbreeScene::traceOne(const Ray& ray, const RayQuery& query, Hit& hit) cons
   one.ray.dir_x = ray.direction.x;
   one.ray.dir_y = ray.direction.y;
   one.ray.dir_z = ray.direction.z;
-  one.ray.tnear = query.minDistance;
+  one.ray.tnear = nearestOf(ray, query);
   one.ray.tfar = ray.maxDistance;
   one.ray.mask = ~0u;
   one.hit.geomID = RTC_INVALID_GEOMETRY_ID;
@@ -252,7 +260,7 @@ void EmbreeScene::tracePacket(const Ray* rays, const RayQuery& query, Hit* hits)
     packet.ray.dir_x[i] = ray.direction.x;
     packet.ray.dir_y[i] = ray.direction.y;
     packet.ray.dir_z[i] = ray.direction.z;
-    packet.ray.tnear[i] = query.minDistance;
+    packet.ray.tnear[i] = nearestOf(ray, query);
     packet.ray.tfar[i] = ray.maxDistance;
     packet.ray.time[i] = 0;
     packet.ray.mask[i] = ~0u;

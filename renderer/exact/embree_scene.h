@@ -17,7 +17,7 @@ namespace halfsilver {
 
 // What all rays of a call share.
 struct RayQuery {
-  float minDistance = 0;  // nearer hits are ignored, meters
+  float minDistance = 0;  // FrameConstants::minDistance
   bool cullBackFaces = true;
   bool any = false;     // any hit will do
   bool blends = false;  // FrameConstants::blends

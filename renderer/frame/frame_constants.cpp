@@ -14,7 +14,6 @@ using glm::dmat4;
 using glm::dvec3;
 using glm::dvec4;
 
-constexpr double kSmallestHit = 1e-5;   // of the diagonal, by the contract
 constexpr double kNearest = 1e-4;       // of the diagonal: the near plane inside the bounds
 constexpr double kBeforeBounds = 0.99;  // of the distance to the bounds: the near plane outside them
 constexpr double kSmallestDiagonal = 1e-6;
@@ -176,7 +175,9 @@ glm::vec2 sampleOffset(std::uint32_t sample) {
 }
 
 float smallestHitDistance(const Bounds& bounds) {
-  return bounds.empty() ? 0.0f : static_cast<float>(kSmallestHit * static_cast<double>(bounds.diagonal()));
+  if (bounds.empty()) return 0;
+  const glm::vec3 largest = glm::max(glm::abs(bounds.low), glm::abs(bounds.high));
+  return NEAREST_SHARE * std::max({largest.x, largest.y, largest.z});
 }
 
 }  // namespace halfsilver

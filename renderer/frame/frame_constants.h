@@ -30,7 +30,8 @@ CameraMatrices cameraMatrices(const Camera& camera, const Bounds& bounds, const 
 // wide.
 glm::vec2 sampleOffset(std::uint32_t sample);
 
-// Hits nearer than this are ignored by every method: 1e-5 of the diagonal of the bounds. Meters.
+// Hits nearer than this are ignored by every method if a ray starts where coordinates are largest; elsewhere fewer are
+// (NEAREST_SHARE). Meters.
 float smallestHitDistance(const Bounds& bounds);
 
 }  // namespace halfsilver

@@ -16,6 +16,9 @@ struct Ray {
 };
 #define FAR_AWAY 3.0e38f
 
+// Hits nearer than this share of the largest coordinate of a ray's origin are ignored: eight rounding steps.
+#define NEAREST_SHARE (1.0f / 1048576.0f)
+
 // RayCount::source: what SSBO_RAYS holds of a queue's rays.
 #define RAYS_STORED 0u     // Ray[], with a RayPath[] at the same index
 #define RAYS_OF_PIXELS 1u  // uint[]: pixels, as RayPath::pixel; mirror rays that start on the G-buffer's surfaces

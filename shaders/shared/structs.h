@@ -130,7 +130,7 @@ struct FrameConstants {
   vec3 right;         // times tan(half fov) times aspect
   float farPlane;     // meters; 0: infinite
   vec3 up;            // times tan(half fov)
-  float minDistance;  // nearer hits are ignored, meters
+  float minDistance;  // most of what rays take for NEAREST_SHARE, meters
   vec3 boundsLow;     // of the scene
   float diagonal;     // of the bounds, meters
   vec3 boundsHigh;

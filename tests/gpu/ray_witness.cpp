@@ -1,5 +1,6 @@
 #include "gpu/ray_witness.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -46,6 +47,13 @@ class WitnessedTracer final : public Tracer {
       const bool hit = found[i].t >= 0, trulyHit = right[i].t >= 0;
       ++witness.rays;
       witness.hits += trulyHit;
+      const bool apart =
+          hit != trulyHit || (!any && hit && std::abs(found[i].t - right[i].t) > 1e-3f * view.frame.diagonal);
+      const float nearest = hit && trulyHit ? std::min(found[i].t, right[i].t) : std::max(found[i].t, right[i].t);
+      if (apart && nearest < 1e-5f * view.frame.diagonal) {
+        ++witness.atEdges;
+        continue;
+      }
       witness.falseOcclusion += hit && !trulyHit;
       witness.falseVisibility += !hit && trulyHit;
       witness.wrongDistance +=

@@ -19,6 +19,10 @@ struct Witness {
   std::uint64_t falseVisibility = 0;  // no hit where it has one
   std::uint64_t wrongDistance = 0;    // both hit, farther apart than 0.1 % of the diagonal
 
+  // Of differences where a hit lies nearer than 1e-5 of the diagonal: a ray that starts on its triangle's edge meets
+  // the one beside it or not, by rounding.
+  std::uint64_t atEdges = 0;
+
   std::uint64_t wrong() const { return falseOcclusion + falseVisibility + wrongDistance; }
 };
 using Witnesses = std::array<Witness, RAY_KINDS>;

@@ -31,6 +31,7 @@ class EffectRays : public WitnessTest {
         EXPECT_EQ(witness.falseOcclusion, 0u) << kKinds[kind];
         EXPECT_EQ(witness.falseVisibility, 0u) << kKinds[kind];
         EXPECT_EQ(witness.wrongDistance, 0u) << kKinds[kind];
+        EXPECT_LE(witness.atEdges, witness.rays / 10000) << kKinds[kind];
       }
       EXPECT_EQ(frame.report.overflow, 0u);
       EXPECT_GT(rays, 2000u);

@@ -31,7 +31,7 @@ TEST(FrameConstants, PixelRaysAgreeWithTheProjection) {
       EXPECT_NEAR(farthest.z / nearPlane, 0.0f, 1e-3f);
     }
     EXPECT_NEAR(glm::length(frame.right) / glm::length(frame.up), 2.0f, 1e-6f);
-    EXPECT_NEAR(frame.minDistance, 1e-5f * bounds.diagonal(), 1e-9f);
+    EXPECT_FLOAT_EQ(frame.minDistance, 10 * 0x1p-20f);
   }
 }
 

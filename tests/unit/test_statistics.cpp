@@ -90,6 +90,7 @@ TEST(Statistics, JsonHasTheContractsNames) {
   s.stages = StageTimes{}.summarize();
   s.report.pixels = 200;
   s.report.selected = 50;
+  s.report.minDistance = 0.25f;
   s.sceneFile = "caf\xff.glb";  // not UTF-8
   s.warnings = {"one"};
   const auto json = nlohmann::json::parse(dump(toJson(s)));
@@ -104,6 +105,7 @@ TEST(Statistics, JsonHasTheContractsNames) {
       EXPECT_TRUE(json["time_ms"][stage].contains(key)) << stage << ' ' << key;
   EXPECT_EQ(json["pixels"]["coverage"], 0.25);
   EXPECT_EQ(json["pixels"]["total"], 200);
+  EXPECT_EQ(json["rays"]["min_distance"], 0.25);
   EXPECT_EQ(json["settings"]["voxels.resolution"], Settings{}.voxels.resolution);
   EXPECT_EQ(json["settings"]["select.mode"], "reflective");
   EXPECT_EQ(json["settings"]["abuffer.sorted"], false);

@@ -32,7 +32,8 @@ TraceRay loadRay(uint index) {
   ray.gridOrigin = toGrid(ray.origin);
   ray.gridDirection = ray.direction * gridInverse;
   ray.excluded = queued.excluded;
-  ray.least = frame.minDistance;
+  vec3 size = abs(ray.origin);
+  ray.least = min(NEAREST_SHARE * max(size.x, max(size.y, size.z)), frame.minDistance);
   ray.most = queued.maxDistance;
   ray.shear = makeShear(ray.direction);
   return ray;

@@ -26,6 +26,16 @@ bool mayHit(TraceRay ray, uint triangle, float nearest) {
   return (met || onEdge(test)) && triangle != ray.excluded;
 }
 
+// Whether the hit is near and the ray starts in the triangle's plane, as far as floats can tell. A point on an edge lies
+// in both of its triangles, and seen at a slant the rounding of the one that is not excluded is a hit at some distance.
+bool startsInPlane(TraceRay ray, uint triangle, float t) {
+  if (t > 64.0 * ray.least) return false;
+  vec3 a, b, c;
+  trianglePositions(triangle, a, b, c);
+  vec3 normal = cross(normalize(b - a), normalize(c - a));
+  return abs(dot(normal, ray.direction)) * t < ray.least * length(normal);
+}
+
 void testCandidate(TraceRay ray, uint triangle, inout Hit best) {
   EdgeTest test = testEdges(ray, triangle);
   if (onEdge(test)) decideEdges(test);
@@ -33,6 +43,7 @@ void testCandidate(TraceRay ray, uint triangle, inout Hit best) {
   float t = distanceOf(test, ray.shear, determinant);
   bool nearer = t >= ray.least && (t < best.t || (t == best.t && triangle < best.triangle));
   if (!inside(test) || determinant == 0.0 || !nearer || triangle == ray.excluded) return;
+  if (startsInPlane(ray, triangle, t)) return;
   uint material = triangleAt(triangle).w;
   if (determinant < 0.0 && !doubleSided(material)) return;
   vec2 barycentrics = test.edges.yz / determinant;
