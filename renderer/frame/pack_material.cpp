@@ -36,7 +36,7 @@ shared::GpuTexture packTexture(const TextureUse& use, std::span<const std::uint3
 
 // The coefficient of Beer's law: what is left after d meters is exp(-d * absorption).
 glm::vec3 absorption(const Material& material) {
-  constexpr float kShortest = 1e-6f, kDarkest = 1e-30f;
+  constexpr float kShortest = 1e-30f, kDarkest = 1e-30f;
   if (std::isinf(material.attenuationDistance)) return glm::vec3(0);
   const glm::vec3 color = glm::clamp(material.attenuationColor, kDarkest, 1.0f);
   return -glm::log(color) / std::max(material.attenuationDistance, kShortest);

@@ -72,7 +72,7 @@ class Builder {
   }
 
   void limitLayers(Material& material, const std::string& where) {
-    constexpr float kShortest = 1e-6f;  // meters
+    constexpr float kShortest = 1e-30f;  // meters
     material.transmission = clamped(material.transmission, 0, 1, "transmissionFactor", where);
     material.thickness = clamped(material.thickness, 0, kLargest, "thicknessFactor", where);
     for (int c = 0; c < 3; ++c)

@@ -38,7 +38,7 @@ std::array<vec3, 8> corners(const Bounds& bounds) {
 // Bounds that can be looked at: not empty, not flat.
 Bounds solid(Bounds bounds) {
   if (bounds.empty()) bounds.add(vec3(0));
-  const float least = std::max(1e-4f * bounds.diagonal(), 1e-6f);
+  const float least = std::max(1e-4f * bounds.diagonal(), 1e-30f);
   bounds.low -= vec3(least);
   bounds.high += vec3(least);
   return bounds;
@@ -51,14 +51,60 @@ mat4 clipToMap(const glm::ivec4& rectangle, int resolution) {
   return glm::translate(mat4(1), vec3(offset + 0.5f * scale, 0.5f)) * glm::scale(mat4(1), vec3(0.5f * scale, 0.5f));
 }
 
+// The part of a view that looks along z at the bounds, by the place of points in it: what lies in the rectangle, with
+// all that may cast shadows there.
+Bounds column(const std::array<vec3, 8>& points, Bounds rectangle) {
+  constexpr float kFarther = 1e30f;
+  Bounds found;
+  rectangle.low.z = -kFarther;
+  rectangle.high.z = kFarther;
+  const vec3 edges[3] = {points[1] - points[0], points[2] - points[0], points[4] - points[0]};
+  // Edges of the bounds, clipped to the rectangle.
+  for (unsigned i = 0; i < 8; ++i)
+    for (unsigned axis = 0; axis < 3; ++axis)
+      if (const unsigned other = i | 1u << axis; other != i) {
+        const vec3 way = points[other] - points[i];
+        glm::vec2 part(0, 1);
+        for (int side = 0; side < 2; ++side) {
+          const float from = points[i][side], by = way[side];
+          const glm::vec2 ends(rectangle.low[side] - from, rectangle.high[side] - from);
+          if (by == 0 && (ends.x > 0 || ends.y < 0)) part.y = -1;
+          if (by == 0) continue;
+          part = {std::max(part.x, std::min(ends.x / by, ends.y / by)),
+                  std::min(part.y, std::max(ends.x / by, ends.y / by))};
+        }
+        if (part.x > part.y) continue;
+        found.add(points[i] + part.x * way);
+        found.add(points[i] + part.y * way);
+      }
+  // Lines through the rectangle's corners, clipped to the bounds.
+  for (unsigned corner = 0; corner < 4; ++corner) {
+    const vec3 from(corner & 1 ? rectangle.high.x : rectangle.low.x, corner & 2 ? rectangle.high.y : rectangle.low.y,
+                    0);
+    glm::vec2 part(-kFarther, kFarther);
+    for (const vec3& edge : edges) {
+      const float along = edge.z, start = glm::dot(from - points[0], edge), length = glm::dot(edge, edge);
+      if (along == 0 && (start < 0 || start > length)) part.y = -2 * kFarther;
+      if (along == 0) continue;
+      const float a = -start / along, b = (length - start) / along;
+      part = {std::max(part.x, std::min(a, b)), std::min(part.y, std::max(a, b))};
+    }
+    if (part.x > part.y) continue;
+    found.add({from.x, from.y, part.x});
+    found.add({from.x, from.y, part.y});
+  }
+  return found;
+}
+
 struct Fit {
   mat4 worldToClip{1};
   float texel = 0;  // meters
 };
 
-// The smallest orthographic view of the bounds along a direction, among those that lie along one of the axes.
-Fit fitOrthographic(const Bounds& bounds, const vec3& direction, int size) {
-  const std::array<vec3, 8> points = corners(bounds);
+// The smallest orthographic view of the core along a direction, among those that lie along one of the axes, with all of
+// the bounds that lies before and behind it.
+Fit fitOrthographic(const Bounds& bounds, const Bounds& core, const vec3& direction, int size) {
+  const std::array<vec3, 8> points = corners(core);
   Fit best;
   float bestArea = std::numeric_limits<float>::max();
   for (int axis = 0; axis < 3; ++axis) {
@@ -69,10 +115,18 @@ Fit fitOrthographic(const Bounds& bounds, const vec3& direction, int size) {
     const vec3 right = glm::normalize(across);
     const vec3 up = glm::cross(right, direction);
     Bounds view;
-    for (const vec3& p : points) view.add({glm::dot(p, right), glm::dot(p, up), glm::dot(p, direction)});
+    const auto seen = [&](const vec3& p) { return vec3(glm::dot(p, right), glm::dot(p, up), glm::dot(p, direction)); };
+    for (const vec3& p : points) view.add(seen(p));
+    if (view.extent().x * view.extent().y >= bestArea) continue;
+    bestArea = view.extent().x * view.extent().y;
+    if (core != bounds) {
+      std::array<vec3, 8> all = corners(bounds);
+      for (vec3& p : all) p = seen(p);
+      const Bounds whole = column(all, view);
+      view.low.z = std::min(view.low.z, whole.low.z);
+      view.high.z = std::max(view.high.z, whole.high.z);
+    }
     const vec3 extent = view.extent();
-    if (extent.x * extent.y >= bestArea) continue;
-    bestArea = extent.x * extent.y;
     const float inner = static_cast<float>(size) / static_cast<float>(size - 2 * std::min(kMargin, size / 4));
     const vec3 half = 0.5f * extent * vec3(inner, inner, 1.002f);
     const vec3 center = view.center();
@@ -89,12 +143,14 @@ Fit fitOrthographic(const Bounds& bounds, const vec3& direction, int size) {
 }
 
 // A perspective view from a light; `spread` is the tangent of half its angle.
-Fit fitPerspective(const Bounds& bounds, const Light& light, const vec3& direction, const vec3& up, float spread,
-                   int size) {
-  float far = 0;
-  for (const vec3& p : corners(bounds)) far = std::max(far, glm::distance(p, light.position));
-  if (light.range > 0) far = std::min(far, light.range);
-  const float near = 2e-4f * far;
+Fit fitPerspective(const Bounds& bounds, const Bounds& core, const Light& light, const vec3& direction, const vec3& up,
+                   float spread, int size) {
+  const auto reach = [&light](const Bounds& box) {
+    float far = 0;
+    for (const vec3& p : corners(box)) far = std::max(far, glm::distance(p, light.position));
+    return light.range > 0 ? std::min(far, light.range) : far;
+  };
+  const float far = reach(bounds), near = 2e-4f * std::min(reach(core), far);
   Fit fit;
   fit.worldToClip = glm::frustum(-spread * near, spread * near, -spread * near, spread * near, near, far) *
                     glm::lookAt(light.position, light.position + direction, up);
@@ -102,7 +158,12 @@ Fit fitPerspective(const Bounds& bounds, const Light& light, const vec3& directi
   return fit;
 }
 
-int layersOf(LightType type) { return type == LightType::directional || type == LightType::spot ? 1 : 6; }
+constexpr float kWidestMap = glm::radians(80.0f);  // half angle of a spot that one map can show
+
+int layersOf(const Light& light, bool wholeIsCore) {
+  if (light.type == LightType::directional) return wholeIsCore ? 1 : 2;
+  return light.type == LightType::spot && light.outerConeAngle <= kWidestMap ? 1 : 6;
+}
 
 // Shares the layers out: how many lights, from the first, have shadows, and how many tiles the sky has.
 struct Shares {
@@ -113,15 +174,16 @@ struct Shares {
   int directions = 0;
 };
 
-Shares share(std::span<const Light> lights, const LightListLimits& limits, std::vector<std::string>& warnings) {
+Shares share(std::span<const Light> lights, const LightListLimits& limits, bool wholeIsCore,
+             std::vector<std::string>& warnings) {
   Shares shares;
   shares.tile = std::max(limits.resolution / kSkyTiles, std::min(limits.resolution, kMinTile));
   const int perSide = limits.resolution / shares.tile;
   shares.tilesPerLayer = perSide * perSide;
   const std::span<const Light> mapped = limits.mapsOfLights ? lights : std::span<const Light>();
   for (const Light& light : mapped) {
-    if (shares.lightLayers + layersOf(light.type) > limits.layers) break;
-    shares.lightLayers += layersOf(light.type);
+    if (shares.lightLayers + layersOf(light, wholeIsCore) > limits.layers) break;
+    shares.lightLayers += layersOf(light, wholeIsCore);
     ++shares.shadowed;
   }
   const long long room = static_cast<long long>(limits.layers - shares.lightLayers) * shares.tilesPerLayer;
@@ -168,7 +230,7 @@ float areaOf(const Light& light) {
 }
 
 void addExtent(shared::GpuLight& light, const Light& source) {
-  constexpr float kLeast = 1e-12f;
+  constexpr float kLeast = 1e-36f;
   light.radius = source.radius;
   light.area = std::max(areaOf(source), kLeast);
   light.color *= light.area;
@@ -189,7 +251,8 @@ shared::GpuLight makeLight(vec3 direction, const vec3& color) {
   return light;
 }
 
-void addLight(LightList& list, const Bounds& bounds, const Light& source, bool shadowed, int resolution) {
+void addLight(LightList& list, const Bounds& bounds, const Bounds& core, const Light& source, bool shadowed,
+              int resolution) {
   const float length = glm::length(source.direction);
   const vec3 direction = length > 0 ? source.direction / length : vec3(0, -1, 0);
   shared::GpuLight light = makeLight(direction, source.color * source.intensity);
@@ -209,25 +272,30 @@ void addLight(LightList& list, const Bounds& bounds, const Light& source, bool s
     return;
   }
   if (source.type == LightType::directional) {
-    addView(list, light, 0, fitOrthographic(bounds, direction, resolution), list.layers, whole, resolution);
+    int layer = 0;
+    if (core != bounds)
+      addView(list, light, layer++, fitOrthographic(bounds, core, direction, resolution), list.layers, whole,
+              resolution);
+    addView(list, light, layer, fitOrthographic(bounds, bounds, direction, resolution), list.layers + layer, whole,
+            resolution);
   } else {
     // Room for the filter beyond the cone or the cube's edge.
     const float room = 1 + 2.0f * static_cast<float>(kMargin) / static_cast<float>(resolution);
-    if (source.type == LightType::spot) {
-      const float spread = room * std::tan(std::clamp(source.outerConeAngle, 0.01f, glm::radians(80.0f)));
-      addView(list, light, 0, fitPerspective(bounds, source, direction, side, spread, resolution), list.layers, whole,
-              resolution);
+    if (layersOf(source, true) == 1) {
+      const float spread = room * std::tan(std::max(source.outerConeAngle, 0.01f));
+      addView(list, light, 0, fitPerspective(bounds, core, source, direction, side, spread, resolution), list.layers,
+              whole, resolution);
     } else {
       for (int face = 0; face < 6; ++face) {  // +x, -x, +y, -y, +z, -z
         vec3 axis(0);
         axis[face / 2] = face % 2 ? -1.0f : 1.0f;
         const vec3 up = face / 2 == 1 ? vec3(0, 0, 1) : vec3(0, 1, 0);
-        addView(list, light, face, fitPerspective(bounds, source, axis, up, room, resolution), list.layers + face,
+        addView(list, light, face, fitPerspective(bounds, core, source, axis, up, room, resolution), list.layers + face,
                 whole, resolution);
       }
     }
   }
-  list.layers += layersOf(source.type);
+  list.layers += layersOf(source, core == bounds);
   list.lights.push_back(light);
 }
 
@@ -239,7 +307,7 @@ void addSky(LightList& list, const Bounds& bounds, const SkyLight& sky, const Sh
     const int inLayer = tile % shares.tilesPerLayer;
     const glm::ivec4 rectangle(inLayer % perSide * shares.tile, inLayer / perSide * shares.tile, shares.tile,
                                shares.tile);
-    addView(list, light, 0, fitOrthographic(bounds, -direction.direction, shares.tile),
+    addView(list, light, 0, fitOrthographic(bounds, bounds, -direction.direction, shares.tile),
             list.layers + tile / shares.tilesPerLayer, rectangle, resolution);
     list.lights.push_back(light);
     ++tile;
@@ -279,12 +347,12 @@ void addHemisphere(LightList& list, const vec3& from, const vec3& irradiance, fl
 }  // namespace
 
 LightList makeLightList(const Bounds& sceneBounds, std::span<const Light> lights, const Sky& sky,
-                        const LightListLimits& limits) {
-  const Bounds bounds = solid(sceneBounds);
+                        const LightListLimits& limits, const Bounds& sceneCore) {
+  const Bounds bounds = solid(sceneBounds), core = sceneCore.empty() ? bounds : solid(sceneCore);
   LightList list;
-  const Shares shares = share(lights, limits, list.warnings);
+  const Shares shares = share(lights, limits, core == bounds, list.warnings);
   for (std::size_t i = 0; i < lights.size(); ++i)
-    addLight(list, bounds, lights[i], i < shares.shadowed, limits.resolution);
+    addLight(list, bounds, core, lights[i], i < shares.shadowed, limits.resolution);
   list.ranges.direct = static_cast<std::uint32_t>(lights.size());
   list.ranges.mapped = limits.mapsOfLights ? list.ranges.direct : 0;
 

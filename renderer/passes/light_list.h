@@ -31,7 +31,11 @@ struct LightListLimits {
 // Lights with places in the shadow maps: a layer for a directional light or a spot, six for any other, a tile of a
 // shared layer for each direction of the sky. If the layers do not suffice, the sky has fewer directions; if
 // that is not enough, the last lights cast no shadows. The warnings name both.
+//
+// `core`: where nearly all triangles lie, if a few large ones reach far beyond. A directional light then
+// has a layer for what lies there or casts shadows there, before that of the whole scene; lights do not begin farther
+// away than the core asks for. Spots wider than 80 degrees have six layers.
 LightList makeLightList(const Bounds& bounds, std::span<const Light> lights, const Sky& sky,
-                        const LightListLimits& limits);
+                        const LightListLimits& limits, const Bounds& core = {});
 
 }  // namespace halfsilver

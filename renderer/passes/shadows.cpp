@@ -1,6 +1,7 @@
 #include "passes/shadows.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 
@@ -34,6 +35,25 @@ gl::Texture makeMaps(const gl::Api& api, int resolution, int layers) {
   maps.parameter(GL_TEXTURE_MIN_FILTER, GL_LINEAR);
   maps.parameter(GL_TEXTURE_MAG_FILTER, GL_LINEAR);
   return maps;
+}
+
+float longestSide(const Bounds& bounds) {
+  const glm::vec3 extent = bounds.extent();
+  return std::max({extent.x, extent.y, extent.z});
+}
+
+// Where nearly everything is, if a few large triangles reach far beyond; else nothing. It grows and moves by steps of a
+// quarter, so that maps are kept while something moves in it.
+Bounds smallCore(const GpuScene& scene) {
+  constexpr float kWorthwhile = 16, kSteps = 4;
+  const float whole = longestSide(scene.extents.bounds());
+  Bounds core;
+  for (const DrawCluster& cluster : scene.clusters.all())
+    if (kWorthwhile * longestSide(cluster.bounds) <= whole) core.add(cluster.bounds);
+  const float size = longestSide(core);
+  if (!(size > 0) || kWorthwhile * size > whole) return {};
+  const float step = std::exp2(std::floor(std::log2(size / kSteps)));
+  return {step * glm::floor(core.low / step), step * glm::ceil(core.high / step)};
 }
 
 void copy(const gl::Api& api, const gl::Texture& from, const gl::Texture& to, const glm::ivec4& rectangle, int layer,
@@ -70,7 +90,7 @@ std::vector<std::string> ShadowPass::run(const GpuScene& scene, std::span<const 
   const std::size_t layerBytes =
       sizeof(float) * static_cast<std::size_t>(limits.resolution) * static_cast<std::size_t>(limits.resolution);
   limits.layers = std::min<int>(api_->limits.arrayLayers, static_cast<int>(kMaxBytes / layerBytes));
-  LightList list = makeLightList(scene.extents.bounds(), lights, sky, limits);
+  LightList list = makeLightList(scene.extents.bounds(), lights, sky, limits, smallCore(scene));
   if (limits.resolution < settings.resolution)
     list.warnings.push_back("shadow maps: the device draws at most " + std::to_string(limits.resolution) +
                             " texels along a side");

@@ -50,11 +50,36 @@ std::vector<DrawCluster> split(const Scene& scene, std::span<const std::uint32_t
   return pieces;
 }
 
+float longestSide(const Bounds& bounds) {
+  const glm::vec3 extent = bounds.extent();
+  return std::max({extent.x, extent.y, extent.z});
+}
+
+// Which triangles of the list are far larger than all others: a sixteenth of the scene. Nothing if they are many.
+std::vector<bool> largeTriangles(const Scene& scene, std::span<const std::uint32_t> drawList) {
+  constexpr float kShare = 1.0f / 16;
+  constexpr std::ptrdiff_t kMost = 64;
+  const auto boundsOf = [&scene](std::uint32_t triangle) {
+    Bounds bounds;
+    for (const std::uint32_t vertex : scene.triangles[triangle].vertices) bounds.add(scene.vertices[vertex].position);
+    return bounds;
+  };
+  Bounds all;
+  for (const std::uint32_t triangle : drawList) all.add(boundsOf(triangle));
+  const float limit = kShare * longestSide(all);
+  std::vector<bool> large;
+  large.reserve(drawList.size());
+  for (const std::uint32_t triangle : drawList) large.push_back(longestSide(boundsOf(triangle)) > limit);
+  if (std::count(large.begin(), large.end(), true) > kMost) large.assign(drawList.size(), false);
+  return large;
+}
+
 }  // namespace
 
 DrawClusters::DrawClusters(const Scene& scene, std::vector<std::uint32_t> drawList, std::span<const DrawRange> ranges,
                            std::span<const PosedPart> posed)
     : drawList_(std::move(drawList)) {
+  const std::vector<bool> large = largeTriangles(scene, drawList_);
   for (const DrawRange& range : ranges) {
     const std::uint32_t end = range.first + range.count;
     for (std::uint32_t next = range.first; next < end;) {
@@ -62,7 +87,9 @@ DrawClusters::DrawClusters(const Scene& scene, std::vector<std::uint32_t> drawLi
       cluster.first = next;
       cluster.cut = range.cut;
       cluster.part = partOf(posed, drawList_[next]);
-      while (next < end && next - cluster.first < kTriangles && partOf(posed, drawList_[next]) == cluster.part) ++next;
+      while (next < end && next - cluster.first < kTriangles && partOf(posed, drawList_[next]) == cluster.part &&
+             large[next] == large[cluster.first])
+        ++next;
       cluster.count = next - cluster.first;
       measure(scene, drawList_, cluster);
       if (cluster.part) cluster.bounds = posed[*cluster.part].bounds;

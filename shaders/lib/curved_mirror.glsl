@@ -21,7 +21,7 @@ Curvature curvatureOf(uint triangle, vec2 barycentrics, vec3 normal) {
 
 vec3 normalChange(Curvature c, vec3 along) {
   vec3 area = cross(c.edge1, c.edge2);
-  vec2 change = vec2(dot(cross(along, c.edge2), area), dot(cross(c.edge1, along), area)) / max(dot(area, area), 1e-30);
+  vec2 change = vec2(dot(cross(along, c.edge2), area), dot(cross(c.edge1, along), area)) / max(dot(area, area), 1e-37);
   return change.x * c.alongU + change.y * c.alongV;
 }
 

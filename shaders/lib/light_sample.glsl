@@ -11,7 +11,7 @@ struct LightSample {
 
 // A sphere, by a direction that is chosen evenly from those in which it is seen. Inside there is no light.
 LightSample sampleSphere(vec3 toCenter, float radius, vec3 radiance, vec2 numbers) {
-  float distance2 = dot(toCenter, toCenter), sine2 = radius * radius / max(distance2, 1e-20);
+  float distance2 = dot(toCenter, toCenter), sine2 = radius * radius / max(distance2, 1e-37);
   if (sine2 >= 1.0) return LightSample(vec3(0.0, 1.0, 0.0), 0.0, vec3(0.0));
   float widest = sine2 / (1.0 + sqrt(1.0 - sine2));  // 1 - the cosine of the outline
   float fall = numbers.x * widest, cosine = 1.0 - fall, angle = 2.0 * PI * numbers.y;
@@ -37,7 +37,7 @@ LightSample sampleLight(uint light, vec3 position, vec2 numbers) {
     toLight += (2.0 * numbers.x - 1.0) * lightTexel(light, LIGHT_HALF_WIDTH).xyz +
                (2.0 * numbers.y - 1.0) * lightTexel(light, LIGHT_HALF_HEIGHT).xyz;
   float distanceToLight = length(toLight);
-  toLight /= max(distanceToLight, 1e-20);
+  toLight /= max(distanceToLight, 1e-30);
   // A rectangle's radiance is its color over its area, which is the density of its points.
   color *= attenuation(directionType, lightTexel(light, LIGHT_SHADOW), positionRange.w, toLight, distanceToLight);
   return LightSample(toLight, distanceToLight, color);

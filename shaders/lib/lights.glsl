@@ -31,7 +31,7 @@ float attenuation(vec4 directionType, vec4 shadow, float range, vec3 toLight, fl
     float cosine = dot(directionType.xyz, -toLight);
     cone = clamp(cosine * shadow.x + shadow.y, 0.0, 1.0);
   }
-  return window * cone * (spot ? cone : 1.0) / max(distanceToLight * distanceToLight, 1e-8);
+  return window * cone * (spot ? cone : 1.0) / max(distanceToLight * distanceToLight, 1e-37);
 }
 
 // Whether the surface lies in the light's range and faces it.
@@ -59,10 +59,12 @@ vec3 directLight(uint light, Surface s, vec3 toEye) {
     vec4 positionRange = lightTexel(light, LIGHT_POSITION);
     toLight = positionRange.xyz - s.position;
     float distanceToLight = length(toLight);
-    toLight /= max(distanceToLight, 1e-20);
+    toLight /= max(distanceToLight, 1e-30);
     color *= attenuation(directionType, shadow, positionRange.w, toLight, distanceToLight);
     receiver = liftedReceiver(s.position, s.geometricNormal, toLight, distanceToLight, colorTexel.w);
     if (shadow.w > 1.0) face = cubeFace(receiver - positionRange.xyz);
+  } else if (shadow.w > 1.0) {
+    face = partOrWhole((shadowMatrix(light, 0) * vec4(receiver, 1.0)).xyz);
   }
   mat4 worldToMap = shadowMatrix(light, face);
   vec4 place = worldToMap * vec4(receiver, 1.0);

@@ -89,3 +89,11 @@ int cubeFace(vec3 away) {
   if (size.y >= size.z) return away.y > 0.0 ? 2 : 3;
   return away.z > 0.0 ? 4 : 5;
 }
+
+// The layer of a directional light's two that a point lies in: the first shows a part of the scene only.
+int partOrWhole(vec3 place) {
+  const float FILTER = 3.0;  // texels
+  vec2 fromMiddle = abs(2.0 * place.xy - 1.0);
+  float edge = 1.0 - 2.0 * FILTER / float(textureSize(shadowMaps, 0).x);
+  return max(fromMiddle.x, fromMiddle.y) > edge ? 1 : 0;
+}

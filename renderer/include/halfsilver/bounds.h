@@ -18,6 +18,7 @@ struct Bounds {
     low = glm::min(low, other.low);
     high = glm::max(high, other.high);
   }
+  bool operator==(const Bounds&) const = default;
   bool empty() const { return low.x > high.x; }
   glm::vec3 extent() const { return empty() ? glm::vec3(0) : high - low; }
   glm::vec3 center() const { return empty() ? glm::vec3(0) : 0.5f * (low + high); }
