@@ -5,6 +5,7 @@
 
 #include <halfsilver/error.h>
 #include <halfsilver/io.h>
+#include "apps/exposure.h"
 
 namespace halfsilver {
 namespace {
@@ -59,11 +60,13 @@ Outputs::Outputs(const OutputPaths& paths) {
   if (!paths.layers.empty()) layers_.emplace(paths.layers);
 }
 
-void Outputs::writePictures(const Renderer& renderer, const OffscreenTarget& target, double diagonal) {
+double Outputs::writePictures(const Renderer& renderer, const OffscreenTarget& target, double diagonal) {
   const Image layers = linear_ || layers_ ? renderer.readLayers() : Image{};
+  const std::vector<std::uint8_t> shown = linear_ ? std::vector<std::uint8_t>() : target.read();
   picture_->write(linear_ ? encodeExr(colorOf(layers), diagonal)
-                          : encodePng(target.target().width, target.target().height, target.read()));
+                          : encodePng(target.target().width, target.target().height, shown));
   if (layers_) layers_->write(encodeExr(layers, diagonal));
+  return shareOfWhite(shown);
 }
 
 void Outputs::writeStatistics(const RunStatistics& statistics) {

@@ -28,8 +28,9 @@ class Outputs {
   // Throws Error: as checkOutputs(), and failed if a file cannot be made.
   explicit Outputs(const OutputPaths& paths);
 
-  // The frame that the renderer drew into the target last. Waits for the GPU.
-  void writePictures(const Renderer& renderer, const OffscreenTarget& target, double diagonal);
+  // The frame that the renderer drew into the target last. Waits for the GPU. Returns the share of a PNG's pixels that
+  // are white.
+  double writePictures(const Renderer& renderer, const OffscreenTarget& target, double diagonal);
   void writeStatistics(const RunStatistics& statistics);
   // Every file is complete by now: all that is left is to rename them.
   void commit();

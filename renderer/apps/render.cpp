@@ -11,6 +11,7 @@
 #include <halfsilver/renderer.h>
 #include "apps/commands.h"
 #include "apps/drawing.h"
+#include "apps/exposure.h"
 #include "apps/outputs.h"
 #include "apps/render_job.h"
 #include "apps/sequence.h"
@@ -27,6 +28,7 @@ struct RenderRequest {
   std::string frames;
   std::optional<double> framesPerSecond;
   bool overwrite = false;
+  std::string exposure;
   std::optional<double> budgetMilliseconds, budgetMegabytes;
 };
 
@@ -182,6 +184,11 @@ void renderPicture(const RenderRequest& request, const ViewArguments& arguments,
   clock.lap("load");
   RenderJob job(request.view, arguments, settings, std::move(view), progress, clock);
   RunStatistics& statistics = job.statistics;
+  if (request.exposure == "auto") {
+    progress.show("exposure");
+    exposeFor(job, camera, statistics.settings);
+    clock.lap("exposure");
+  }
 
   const bool once = request.samples > 1 || (settings.effect.passes > 1 && settings.trace.effect != Effect::reflection);
   const int repeat = request.repeat.value_or(request.outputs.stats.empty() || once ? 0 : 1);
@@ -190,7 +197,8 @@ void renderPicture(const RenderRequest& request, const ViewArguments& arguments,
       .draw(repeat, passSteps(request, job, progress), progress, clock);
   checkErrors(job.api);
   progress.show("writing " + request.outputs.picture);
-  outputs.writePictures(job.renderer, job.target, statistics.diagonal);
+  const double white = outputs.writePictures(job.renderer, job.target, statistics.diagonal);
+  if (const std::string hint = whiteHint(white); !hint.empty()) addWarnings({hint}, statistics.warnings);
   clock.lap("write");
   statistics.wallMilliseconds = clock.milliseconds();
   outputs.writeStatistics(statistics);
@@ -208,6 +216,8 @@ void render(const RenderRequest& request) {
   const ViewArguments arguments = checkView(request.view);
   Settings settings = baseSettings(request.view);
   applyOverrides(settings, request.view);
+  if (!request.exposure.empty())
+    settings.image.exposure = parseExposure(request.exposure).value_or(settings.image.exposure);
   if (request.passes) set(settings, "effect.passes", std::to_string(*request.passes));
   checkPasses(request, settings);
   if (range && settings.image.antialiasing == Antialiasing::temporal)
@@ -217,7 +227,8 @@ void render(const RenderRequest& request) {
         "it: use --samples");
   Progress progress;
   if (range)
-    renderSequence({request.view, arguments, settings, request.outputs, *range, request.overwrite, request.samples},
+    renderSequence({request.view, arguments, settings, request.outputs, *range, request.overwrite, request.samples,
+                    request.exposure == "auto"},
                    progress, clock);
   else
     renderPicture(request, arguments, settings, progress, clock);
@@ -260,6 +271,10 @@ void addRenderCommand(CLI::App& program) {
       ->add_option("--progress-every", request.progressEvery,
                    "Write the picture as it is after every so many passes, too")
       ->check(CLI::Range(1, 65536));
+  command->add_option(
+      "--exposure", request.exposure,
+      "Stops by which the picture is brightened (image.exposure), or auto: what suits the picture, of a "
+      "sequence its first frame");
   command->add_option(
       "--frames", request.frames,
       "A..B: render an image sequence of the animations, frame n at n / fps seconds; frames whose files "

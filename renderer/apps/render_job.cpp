@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "apps/drawing.h"
+#include "apps/exposure.h"
 
 namespace halfsilver {
 namespace {
@@ -42,6 +43,15 @@ RenderJob::RenderJob(const ViewRequest& request, const ViewArguments& arguments,
   progress.show("uploading " + std::to_string(statistics.triangles) + " triangles");
   show(view, renderer);
   clock.lap("upload");
+}
+
+void exposeFor(RenderJob& job, const Camera& camera, Settings& settings) {
+  Settings once = settings;
+  once.effect.passes = 1;
+  once.effect.progressive = false;
+  job.renderer.render(camera, once, job.target.target());
+  settings.image.exposure = automaticExposure(job.renderer.readLayers()).value_or(settings.image.exposure);
+  job.renderer.forgetHistory();
 }
 
 void warnOfLosses(const FrameReport& report, std::vector<std::string>& warnings) {

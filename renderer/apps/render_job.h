@@ -29,6 +29,9 @@ struct RenderJob {
 };
 
 // Adds what the report says was lost.
+// Draws a frame and sets the exposure that suits it.
+void exposeFor(RenderJob& job, const Camera& camera, Settings& settings);
+
 void warnOfLosses(const FrameReport& report, std::vector<std::string>& warnings);
 
 }  // namespace halfsilver

@@ -13,6 +13,7 @@
 #include <halfsilver/error.h>
 #include <halfsilver/pose.h>
 #include "apps/drawing.h"
+#include "apps/exposure.h"
 #include "apps/render_job.h"
 
 namespace halfsilver {
@@ -121,6 +122,12 @@ void renderSequence(const SequenceRequest& request, Progress& progress, WallCloc
     return drawFirstFrame(job.renderer, chooseCamera(job.view, request.arguments.camera), settings, job.target.target(),
                           report, samples);
   };
+  if (request.automaticExposure) {
+    poseView(job.view, animations, timeOf(request.range.first));
+    job.renderer.pose(*job.view.state);
+    exposeFor(job, chooseCamera(job.view, request.arguments.camera), settings);
+    job.statistics.settings = settings;
+  }
   std::optional<int> drawn;
   std::vector<std::string> warnings = job.statistics.warnings;
   Pace pace(frames.size());
@@ -145,7 +152,9 @@ void renderSequence(const SequenceRequest& request, Progress& progress, WallCloc
     warnOfLosses(statistics.report, statistics.warnings);
     addWarnings(statistics.warnings, warnings);
     checkErrors(job.api);
-    outputs.writePictures(job.renderer, job.target, statistics.diagonal);
+    const double white = outputs.writePictures(job.renderer, job.target, statistics.diagonal);
+    if (const std::string hint = whiteHint(white); !hint.empty() && frame == frames.front())
+      addWarnings({hint}, warnings);
     outputs.writeStatistics(statistics);
     outputs.commit();
   }
