@@ -116,7 +116,8 @@ Json infoJson(const std::string& file, const Model& model) {
     json["cameras"].push_back({{"name", camera.name},
                                {"eye", worldJson(scene, camera.eye)},
                                {"target", worldJson(scene, camera.target)},
-                               {"fov", shortest(glm::degrees(camera.verticalFov))}});
+                               {"fov", shortest(glm::degrees(camera.verticalFov))},
+                               {"parallel_height", shortest(camera.parallelHeight)}});
   json["bounds"] = nullptr;
   if (!bounds.empty())
     json["bounds"] = {{"low", worldJson(scene, bounds.low)}, {"high", worldJson(scene, bounds.high)}};

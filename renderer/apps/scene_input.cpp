@@ -96,6 +96,7 @@ Camera chooseCamera(std::span<const Camera> cameras, const Bounds& bounds, const
   if (request.fov) {
     if (!(*request.fov > 0 && *request.fov < 180)) reject("--fov must be between 0 and 180 degrees");
     camera.verticalFov = static_cast<float>(glm::radians(*request.fov));
+    camera.parallelHeight = 0;
   }
   return camera;
 }

@@ -123,7 +123,7 @@ void renderSequence(const SequenceRequest& request, Progress& progress, WallCloc
                           report, samples);
   };
   if (request.automaticExposure) {
-    poseView(job.view, animations, timeOf(request.range.first));
+    poseView(job.view, animations, timeOf(request.range.first), request.view.loop);
     job.renderer.pose(*job.view.state);
     exposeFor(job, chooseCamera(job.view, request.arguments.camera), settings);
     job.statistics.settings = settings;

@@ -16,7 +16,10 @@ using glm::dvec4;
 
 constexpr double kNearest = 1e-4;       // of the diagonal: the near plane inside the bounds
 constexpr double kBeforeBounds = 0.99;  // of the distance to the bounds: the near plane outside them
-constexpr double kSmallestDiagonal = 1e-6;
+constexpr double kSmallestDiagonal = 1e-30;
+// What is drawn begins this much nearer than the depth of targets: reversed floats lose nothing by it. A power of two,
+// so that depths keep their bits.
+constexpr double kDrawnNear = 0x1p-20;
 
 struct Basis {
   dvec3 forward, right, up;
@@ -43,6 +46,7 @@ struct Lens {
   double tangentX, tangentY;       // of half the angles of view
   double nearPlane, farPlane;      // 0: infinite
   double depthScale, depthOffset;  // reversed depth, 1 near to 0 far, is scale + offset / distance along the axis
+  bool parallel;  // the tangents are half the picture in meters, and depth is scale * distance + offset
 };
 
 double chooseNear(const Camera& camera, const Bounds& bounds, double tangentX, double tangentY) {
@@ -56,13 +60,35 @@ double chooseNear(const Camera& camera, const Bounds& bounds, double tangentX, d
   return std::max(kNearest * diagonal, kBeforeBounds * cornerCosine * outside);
 }
 
+// Distance along the axis to behind all of the bounds.
+double farthest(const Camera& camera, const Basis& basis, const Bounds& bounds) {
+  double far = 0;
+  for (unsigned i = 0; i < 8 && !bounds.empty(); ++i) {
+    const dvec3 corner(i & 1 ? bounds.high.x : bounds.low.x, i & 2 ? bounds.high.y : bounds.low.y,
+                       i & 4 ? bounds.high.z : bounds.low.z);
+    far = std::max(far, glm::dot(corner - dvec3(camera.eye), basis.forward));
+  }
+  return std::max(1.001 * far, 2.0 * static_cast<double>(camera.nearPlane) + kSmallestDiagonal);
+}
+
 Lens lensOf(const Camera& camera, const Bounds& bounds, int width, int height) {
   if (width < 1 || height < 1) throw Error(ErrorKind::usage, "the picture's size must be at least 1 x 1");
-  if (!(camera.verticalFov > 0 && camera.verticalFov < 3.14159f))
+  const bool parallel = camera.parallelHeight > 0;
+  if (!parallel && !(camera.verticalFov > 0 && camera.verticalFov < 3.14159f))
     throw Error(ErrorKind::usage, "the camera's field of view must lie between 0 and 180 degrees");
   Lens lens{};
   lens.basis = basisOf(camera);
   const double aspect = static_cast<double>(width) / height;
+  if (parallel) {
+    lens.parallel = true;
+    lens.tangentY = 0.5 * static_cast<double>(camera.parallelHeight);
+    lens.tangentX = lens.tangentY * aspect;
+    lens.nearPlane = camera.nearPlane;
+    lens.farPlane = camera.farPlane > camera.nearPlane ? camera.farPlane : farthest(camera, lens.basis, bounds);
+    lens.depthScale = -1 / (lens.farPlane - lens.nearPlane);
+    lens.depthOffset = -lens.depthScale * lens.farPlane;
+    return lens;
+  }
   lens.tangentY = std::tan(0.5 * static_cast<double>(camera.verticalFov));
   lens.tangentX = lens.tangentY * aspect;
   const double nearPlane = chooseNear(camera, bounds, lens.tangentX, lens.tangentY);
@@ -95,10 +121,11 @@ shared::FrameConstants makeFrameConstants(const Camera& camera, const Bounds& bo
   const auto row = [&](const dvec3& axis, double offset) { return dvec4(axis, offset - glm::dot(axis, eye)); };
   // Samples come to lie at the centers of pixels.
   const glm::dvec2 shift = 2.0 * glm::dvec2(jitter) / glm::dvec2(width, height);
-  const dmat4 viewProjection =
-      glm::transpose(dmat4(row(basis.right / lens.tangentX - shift.x * basis.forward, 0),
-                           row(basis.up / lens.tangentY - shift.y * basis.forward, 0),
-                           row(basis.forward * lens.depthScale, lens.depthOffset), row(basis.forward, 0)));
+  const dvec3 depthAxis = lens.parallel ? dvec3(0) : basis.forward;
+  const dmat4 viewProjection = glm::transpose(
+      dmat4(row(basis.right / lens.tangentX - shift.x * depthAxis, lens.parallel ? -shift.x : 0),
+            row(basis.up / lens.tangentY - shift.y * depthAxis, lens.parallel ? -shift.y : 0),
+            row(basis.forward * lens.depthScale, lens.depthOffset), row(depthAxis, lens.parallel ? 1 : 0)));
 
   shared::FrameConstants frame{};
   frame.viewProjection = glm::mat4(viewProjection);
@@ -148,6 +175,9 @@ shared::FrameConstants makeFrameConstants(const Camera& camera, const Bounds& bo
   frame.occlusionRadius = settings.effect.radius > 0 ? settings.effect.radius : FAR_AWAY;
   frame.shadowSamples = static_cast<std::uint32_t>(settings.shadow.samples);
   frame.jitter = jitter;
+  frame.drawnNear =
+      static_cast<float>(camera.nearPlane > 0 || lens.parallel ? lens.nearPlane : kDrawnNear * lens.nearPlane);
+  frame.parallel = lens.parallel ? 1 : 0;
   return frame;
 }
 
@@ -161,8 +191,11 @@ CameraMatrices cameraMatrices(const Camera& camera, const Bounds& bounds, const 
   const bool reversed = target.depth == DepthUse::reversed;
   const double zScale = reversed ? -lens.depthScale : 2 * lens.depthScale - 1;
   const double zOffset = reversed ? lens.depthOffset : -2 * lens.depthOffset;
+  const dvec4 depth = lens.parallel ? dvec4(0, 0, reversed ? -lens.depthScale : 2 * lens.depthScale,
+                                            reversed ? lens.depthOffset : 1 - 2 * lens.depthOffset)
+                                    : dvec4(0, 0, zScale, zOffset);
   const dmat4 projection = glm::transpose(dmat4(dvec4(1 / lens.tangentX, 0, 0, 0), dvec4(0, 1 / lens.tangentY, 0, 0),
-                                                dvec4(0, 0, zScale, zOffset), dvec4(0, 0, -1, 0)));
+                                                depth, lens.parallel ? dvec4(0, 0, 0, 1) : dvec4(0, 0, -1, 0)));
   return {glm::mat4(view), glm::mat4(projection)};
 }
 

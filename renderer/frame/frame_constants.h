@@ -14,7 +14,8 @@ namespace halfsilver {
 
 // Constants of one frame. viewProjection is a reversed-Z projection for a clip space of depth 0..1 (1 at the near
 // plane, 0 at the far plane or at infinity); frame.farPlane keeps the far plane, 0 if there is none. Planes that the
-// camera leaves at 0: near just before the scene's bounds or a small part of their diagonal, far at infinity.
+// camera leaves at 0: near just before the scene's bounds or a small part of their diagonal, far at infinity; what
+// is drawn begins at frame.drawnNear, which is next to nothing then.
 // `jitter`: where the pixels' samples lie, from their centers, in pixels; viewProjection brings samples to the centers.
 // Throws Error (usage) for a size below 1 or a camera without a direction or a field of view.
 shared::FrameConstants makeFrameConstants(const Camera& camera, const Bounds& bounds, const Sky& sky,

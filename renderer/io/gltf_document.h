@@ -121,7 +121,8 @@ struct Animation {
 struct CameraInfo {
   std::string name;
   bool perspective = false;
-  double yfov = 0, znear = 0, zfar = 0;  // zfar 0: none
+  double yfov = 0, ymag = 0;   // of perspective and other ones
+  double znear = 0, zfar = 0;  // zfar 0: none
 };
 
 struct LightInfo {

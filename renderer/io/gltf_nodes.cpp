@@ -130,20 +130,24 @@ Hierarchy buildHierarchy(const Document& document, Diagnostics& diagnostics) {
 
 void buildCameras(const Document& document, Diagnostics& diagnostics, const Hierarchy& hierarchy, Model& model) {
   constexpr double kLargest = 1e30;
-  for (std::size_t n = 0; n < hierarchy.inScene; ++n) {
-    const int fileNode = hierarchy.fileNode[n];
-    const int index = document.nodes[static_cast<std::size_t>(fileNode)].camera;
-    if (index == -1) continue;
+  const auto cameraOf = [&](std::size_t node) {
+    return document.nodes[static_cast<std::size_t>(hierarchy.fileNode[node])].camera;
+  };
+  std::vector<std::size_t> nodes;  // in the order of the file's cameras
+  for (std::size_t n = 0; n < hierarchy.inScene; ++n)
+    if (cameraOf(n) != -1) nodes.push_back(n);
+  std::stable_sort(nodes.begin(), nodes.end(), [&](std::size_t a, std::size_t b) { return cameraOf(a) < cameraOf(b); });
+  for (const std::size_t n : nodes) {
+    const int fileNode = hierarchy.fileNode[n], index = cameraOf(n);
     const std::string where = item("nodes", static_cast<std::size_t>(fileNode));
     const CameraInfo& source = get(document.cameras, index, "cameras", diagnostics, where);
     const std::string place = item("cameras", static_cast<std::size_t>(index));
-    if (!source.perspective) {
-      diagnostics.warn("an orthographic camera was ignored: " + place);
-      continue;
-    }
     Camera camera;
     camera.name = source.name.empty() ? nodeName(document, fileNode) : source.name;
-    camera.verticalFov = ranged(source.yfov, 0.001, 3.14, "yfov", diagnostics, place);
+    if (source.perspective)
+      camera.verticalFov = ranged(source.yfov, 0.001, 3.14, "yfov", diagnostics, place);
+    else
+      camera.parallelHeight = 2 * ranged(std::abs(source.ymag), 1e-30, kLargest, "ymag", diagnostics, place);
     camera.nearPlane = ranged(source.znear, 0, kLargest, "znear", diagnostics, place);
     camera.farPlane = ranged(source.zfar, 0, kLargest, "zfar", diagnostics, place);
     if (camera.farPlane != 0 && camera.farPlane <= camera.nearPlane) {

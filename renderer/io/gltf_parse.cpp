@@ -263,8 +263,9 @@ Animation convert(const tinygltf::Animation& source) {
 }
 
 CameraInfo convert(const tinygltf::Camera& source) {
-  return {source.name, source.type == "perspective", source.perspective.yfov, source.perspective.znear,
-          source.perspective.zfar};
+  if (source.type != "perspective")
+    return {source.name, false, 0, source.orthographic.ymag, source.orthographic.znear, source.orthographic.zfar};
+  return {source.name, true, source.perspective.yfov, 0, source.perspective.znear, source.perspective.zfar};
 }
 
 LightInfo convert(const tinygltf::Light& source) {

@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kTile = 8;
 
-GBuffer allocate(const gl::Api& api, int width, int height) {
+GBuffer allocate(const gl::Api& api, int width, int height, GLenum emissive) {
   const auto texture = [&](GLenum format, const char* label) {
     return gl::Texture(api, {GL_TEXTURE_2D, format, width, height, 1, 1}, label);
   };
@@ -23,7 +23,7 @@ GBuffer allocate(const gl::Api& api, int width, int height) {
   buffer.normal = texture(GL_RGBA32F, "normal");
   buffer.baseColor = texture(GL_RGBA16F, "base color");
   buffer.material = texture(GL_RGBA16F, "material");
-  buffer.emissive = texture(GL_RGBA16F, "emissive");
+  buffer.emissive = texture(emissive, "emissive");
   buffer.shaded = texture(GL_RGBA32F, "shaded");
   buffer.reflection = texture(GL_RGBA32F, "reflection");
   buffer.signature = gl::Buffer(api, sizeof(buffer.number), "signature");
@@ -44,9 +44,10 @@ GBufferPass::GBufferPass(const gl::Api& api)
 
 void GBufferPass::run(const FrameView& view, GBuffer& out) {
   const auto width = static_cast<int>(view.frame.width), height = static_cast<int>(view.frame.height);
-  if (out.width != width || out.height != height) {
+  const GLenum emissive = view.scene.beyondHalf ? GL_RGBA32F : GL_RGBA16F;
+  if (out.width != width || out.height != height || out.emissive.shape().format != emissive) {
     out = GBuffer{};  // the old memory goes before the new comes
-    out = allocate(*api_, width, height);
+    out = allocate(*api_, width, height, emissive);
   }
   const auto section = view.profiler.section("gbuffer");
   rasterize(view, out);

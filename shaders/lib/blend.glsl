@@ -18,7 +18,7 @@ Blend blendOf(ivec2 pixel, vec4 position, vec4 facing) {
   vec4 material = texelFetch(gMaterial, pixel, 0);
   bool unlit = material.a < 0.0;
   if (position.w <= 0.0 || unlit && !goesOn(facing)) return Blend(shaded.rgb, vec3(0.0), vec3(0.0));
-  vec3 direction = normalize(position.xyz - frame.eye);
+  vec3 direction = normalize(fromCamera(position.xyz));
   float cosine = -dot(normal, direction);
   vec3 share = reflectionShare(material.rgb, material.a, cosine);
   vec3 sky = skyRadiance(reflect(direction, normal), material.a) * shaded.a;

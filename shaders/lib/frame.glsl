@@ -15,6 +15,23 @@ vec2 sampleShift() { return 2.0 * frame.jitter / vec2(frame.width, frame.height)
 
 // Through the pixel's sample, not normalized: its component along frame.forward is 1.
 vec3 pixelRay(ivec2 pixel) {
+  if (frame.parallel != 0u) return frame.forward;
   vec2 screen = screenPosition(pixel) + sampleShift();
   return frame.forward + screen.x * frame.right + screen.y * frame.up;
 }
+
+// Where that ray starts.
+vec3 pixelOrigin(ivec2 pixel) {
+  if (frame.parallel == 0u) return frame.eye;
+  vec2 screen = screenPosition(pixel) + sampleShift();
+  return frame.eye + screen.x * frame.right + screen.y * frame.up;
+}
+
+// From where the camera's ray starts to a point.
+vec3 fromCamera(vec3 position) {
+  vec3 fromEye = position - frame.eye;
+  return frame.parallel == 0u ? fromEye : dot(fromEye, frame.forward) * frame.forward;
+}
+
+// Width of a pixel's cone behind so many meters of its way.
+float coneWidth(float way) { return frame.parallel == 0u ? way * frame.pixelCone : frame.pixelCone; }

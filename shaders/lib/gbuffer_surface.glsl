@@ -15,7 +15,7 @@ Surface surfaceOfPixel(ivec2 pixel, vec3 position) {
 
   Surface s;
   s.position = position;
-  s.geometricNormal = dot(geometric, frame.eye - position) < 0.0 ? -geometric : geometric;
+  s.geometricNormal = dot(geometric, fromCamera(position)) > 0.0 ? -geometric : geometric;
   s.normal = normal.xyz;
   s.baseColor = baseColor.rgb;
   s.emissive = emissive.rgb;

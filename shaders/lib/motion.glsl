@@ -26,6 +26,7 @@ vec2 seenAt(vec3 fromEye, FrameConstants f) {
   float along = dot(fromEye, f.forward);
   vec2 screen = vec2(dot(fromEye, f.right) / dot(f.right, f.right), dot(fromEye, f.up) / dot(f.up, f.up));
   vec2 size = vec2(f.width, f.height);
+  if (f.parallel != 0u) return 0.5 * size * screen;
   return along > 0.0 ? 0.5 * size * screen / along : 4.0 * size;
 }
 
@@ -33,4 +34,7 @@ vec2 seenAt(vec3 fromEye, FrameConstants f) {
 vec2 motionOf(vec3 now, vec3 before) { return seenAt(now - frame.eye, frame) - seenAt(before - previousFrame.eye, previousFrame); }
 
 // The same of what is infinitely far away.
-vec2 motionOfDirection(vec3 direction) { return seenAt(direction, frame) - seenAt(direction, previousFrame); }
+vec2 motionOfDirection(vec3 direction) {
+  if (frame.parallel != 0u || previousFrame.parallel != 0u) return vec2(0.0);  // the sky has one color
+  return seenAt(direction, frame) - seenAt(direction, previousFrame);
+}

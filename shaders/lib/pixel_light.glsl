@@ -14,7 +14,7 @@ struct PixelLight {
 vec4 neighbors(ivec2 pixel, vec4 position, vec3 normal) {
   const int REACH = 2;  // pixels: finds one if select.fraction is 1/16 or more
   const float ALIKE = 64.0;
-  float pixelWidth = position.w * frame.pixelCone;
+  float pixelWidth = coneWidth(position.w);
   vec4 sum = vec4(0.0);
   for (int y = -REACH; y <= REACH; ++y)
     for (int x = -REACH; x <= REACH; ++x) {

@@ -25,7 +25,7 @@ Ray mirrorRay(uint number) {
   vec3 position = texelFetch(gPosition, pixel, 0).xyz;
   vec4 normal = texelFetch(gNormal, pixel, 0);
   uint triangle = texelFetch(gVisibility, pixel, 0).x - 1u;
-  precise vec3 fromEye = normalize(position - frame.eye);
+  precise vec3 fromEye = normalize(fromCamera(position));
   if (goesOn(normal)) return rayBehind(position, fromEye, triangle);
   precise vec3 direction = normalize(reflect(fromEye, normal.xyz));
   return Ray(position, FAR_AWAY, direction, triangle);
@@ -35,7 +35,7 @@ Ray mirrorRay(uint number) {
 RayPath pixelPath(uint number, uint slot) {
   ivec2 pixel = ivec2(number % frame.width, number / frame.width);
   bool behind = goesOn(texelFetch(gNormal, pixel, 0));
-  return RayPath(vec3(1.0), length(texelFetch(gPosition, pixel, 0).xyz - frame.eye), number,
+  return RayPath(vec3(1.0), length(fromCamera(texelFetch(gPosition, pixel, 0).xyz)), number,
                  behind ? RAY_THROUGH : RAY_REFLECTION, slot, behind ? 0u : 1u);
 }
 
@@ -43,8 +43,9 @@ RayPath pixelPath(uint number, uint slot) {
 Ray cameraRay(uint number) {
   ivec2 pixel = ivec2(number % frame.width, number / frame.width);
   vec3 position = texelFetch(gPosition, pixel, 0).xyz;
-  precise vec3 direction = normalize(position - frame.eye);
-  return Ray(frame.eye, FAR_AWAY, direction, NO_TRIANGLE);
+  precise vec3 direction = normalize(fromCamera(position));
+  vec3 origin = frame.parallel == 0u ? frame.eye : position - fromCamera(position);
+  return Ray(origin, FAR_AWAY, direction, NO_TRIANGLE);
 }
 
 // source: RayCount::source.

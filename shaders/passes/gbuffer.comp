@@ -10,7 +10,7 @@ layout(rgba32f, binding = IMAGE_POSITION) uniform writeonly image2D positionImag
 layout(rgba32f, binding = IMAGE_NORMAL) uniform writeonly image2D normalImage;
 layout(rgba16f, binding = IMAGE_BASE_COLOR) uniform writeonly image2D baseColorImage;
 layout(rgba16f, binding = IMAGE_MATERIAL) uniform writeonly image2D materialImage;
-layout(rgba16f, binding = IMAGE_EMISSIVE) uniform writeonly image2D emissiveImage;
+layout(binding = IMAGE_EMISSIVE) uniform writeonly image2D emissiveImage;
 
 // Proves to the host that the device has run this frame.
 layout(std430, binding = SSBO_SIGNATURE) writeonly buffer SignatureBlock { uint signature; };
@@ -23,9 +23,9 @@ void main() {
   vec4 position = vec4(0.0), normal = vec4(0.0), baseColor = vec4(0.0), material = vec4(0.0), emissive = vec4(0.0);
   uint visible = texelFetch(visibility, pixel, 0).x;
   if (visible != 0u) {
-    TrianglePoint point = pointOnTriangle(visible - 1u, frame.eye, pixelRay(pixel));
+    TrianglePoint point = pointOnTriangle(visible - 1u, pixelOrigin(pixel), pixelRay(pixel));
     float range = length(point.relative);
-    Surface s = evaluateSurface(visible - 1u, point.barycentrics, normalize(point.relative), frame.pixelCone * range,
+    Surface s = evaluateSurface(visible - 1u, point.barycentrics, normalize(point.relative), coneWidth(range),
                                 BASE_TEXTURES);
     position = vec4(point.position, dot(point.relative, frame.forward));
     bool goesOn = frame.blends != 0u && frame.allLight == 0u && s.alpha < 1.0;

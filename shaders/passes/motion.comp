@@ -14,7 +14,7 @@ void main() {
   vec2 motion = motionOfDirection(pixelRay(pixel));
   if (visible != 0u) {
     vec3 now, before;
-    pointThenAndNow(visible - 1u, pointOnTriangle(visible - 1u, frame.eye, pixelRay(pixel)).barycentrics, now, before);
+    pointThenAndNow(visible - 1u, pointOnTriangle(visible - 1u, pixelOrigin(pixel), pixelRay(pixel)).barycentrics, now, before);
     motion = motionOf(now, before);
   }
   imageStore(motionImage, pixel, vec4(motion, 0.0, 0.0));

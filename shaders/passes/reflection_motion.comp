@@ -55,11 +55,13 @@ void main() {
     return;
   }
   vec3 then = normalBefore(ray.excluded, normal);
-  vec2 barycentrics = pointOnTriangle(ray.excluded, frame.eye, pixelRay(pixel)).barycentrics;
+  vec2 barycentrics = pointOnTriangle(ray.excluded, pixelOrigin(pixel), pixelRay(pixel)).barycentrics;
   vec3 mirrorNow, mirrorBefore;
   pointThenAndNow(ray.excluded, barycentrics, mirrorNow, mirrorBefore);
   vec3 towardsImage = reflect(ray.direction, then);
-  vec2 motion = seenAt(reflect(ray.direction, normal), frame) - seenAt(towardsImage, previousFrame);
+  bool parallel = frame.parallel != 0u || previousFrame.parallel != 0u;
+  vec2 motion = vec2(0.0);
+  if (!parallel) motion = seenAt(reflect(ray.direction, normal), frame) - seenAt(towardsImage, previousFrame);
   vec2 depths = vec2(VERY_FAR);
   if (hit.triangle != NO_TRIANGLE) {
     vec3 hitNow = ray.origin + hit.t * ray.direction, hitBefore = hitNow;
@@ -77,7 +79,7 @@ void main() {
   // So far the mirror is flat. If it is not, the ray met it nearer to where it does now.
   Curvature curvature = curvatureOf(ray.excluded, barycentrics, then);
   float approach = dot(towardsImage, then);
-  if (curvature.any && approach < 0.0) {
+  if (!parallel && curvature.any && approach < 0.0) {
     vec3 fromEye = mirrorBefore - previousFrame.eye;
     vec3 flatPlace = dot(fromEye, then) / approach * towardsImage;
     float eyeAndHit = 1.0 / length(fromEye) + (hit.triangle != NO_TRIANGLE ? 1.0 / hit.t : 0.0);

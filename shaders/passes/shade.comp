@@ -17,5 +17,5 @@ void main() {
     return;
   }
   Surface s = surfaceOfPixel(pixel, position.xyz);
-  imageStore(shaded, pixel, directLighting(s, normalize(frame.eye - position.xyz)));
+  imageStore(shaded, pixel, directLighting(s, normalize(-fromCamera(position.xyz))));
 }

@@ -9,8 +9,9 @@ layout(location = 0) out uint visible;
 
 void main() {
 #ifdef ALPHA_TEST
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
   // At the point that the G-buffer will store, not at the rasterizer's interpolation.
-  if (cutAway(triangle, pointOnTriangle(triangle, frame.eye, pixelRay(ivec2(gl_FragCoord.xy))).barycentrics)) discard;
+  if (cutAway(triangle, pointOnTriangle(triangle, pixelOrigin(pixel), pixelRay(pixel)).barycentrics)) discard;
 #endif
   visible = triangle + 1u;
 }

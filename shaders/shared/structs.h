@@ -120,13 +120,14 @@ struct GpuLight {
 #define CONTRIBUTION_CLASSES 256
 #define CONTRIBUTION_OCTAVES 16
 
-// Constants of one frame. A pixel's ray is forward + x * right + y * up, x and y in -1..1 (of its sample).
+// Constants of one frame. A pixel's ray is forward + x * right + y * up, x and y in -1..1 (of its sample); if they are
+// parallel it starts that far from the eye (lib/frame.glsl).
 struct FrameConstants {
   mat4 viewProjection;
   vec3 eye;
-  float pixelCone;    // a pixel's width at distance 1
+  float pixelCone;    // a pixel's width at distance 1, or at all distances
   vec3 forward;       // unit
-  float nearPlane;    // meters
+  float nearPlane;    // of the depth that targets share, meters
   vec3 right;         // times tan(half fov) times aspect
   float farPlane;     // meters; 0: infinite
   vec3 up;            // times tan(half fov)
@@ -169,9 +170,9 @@ struct FrameConstants {
   uint bounces;           // trace.bounces
   uint mappedLights;      // of the direct lights, from the first: those whose shadow maps are used
   uint shadowSamples;     // rays to a light that has an extent, from the deferred shading and from reflections
+  float drawnNear;  // nearer surfaces are not seen, meters
+  uint parallel;    // 1: all rays of the camera go along `forward`; right and up are half the picture, in meters
   uint padding0;
-  uint padding1;
-  uint padding2;
 };
 
 #endif

@@ -319,19 +319,21 @@ TEST(Gltf, CamerasStandWhereTheirNodesStand) {
   const double half = std::sqrt(0.5);
   file.root["cameras"] = {
       {{"type", "perspective"}, {"name", "main"}, {"perspective", {{"yfov", 0.7}, {"znear", 0.1}}}},
-      {{"type", "orthographic"}, {"orthographic", {{"xmag", 1}, {"ymag", 1}, {"zfar", 10}, {"znear", 0.1}}}}};
+      {{"type", "orthographic"}, {"orthographic", {{"xmag", 1}, {"ymag", 1.5}, {"zfar", 10}, {"znear", 0.1}}}}};
+  file.add("nodes", {{"camera", 1}});
   file.add("nodes",
            {{"camera", 0}, {"translation", {4, 5, 6}}, {"rotation", {0, half, 0, half}}, {"scale", {3, 3, 3}}});
-  file.add("nodes", {{"camera", 1}});
   const Model model = load(file);
-  ASSERT_EQ(model.scene.cameras.size(), 1u);
+  ASSERT_EQ(model.scene.cameras.size(), 2u) << "in the order of the file's cameras";
   const Camera& camera = model.scene.cameras[0];
   EXPECT_EQ(camera.name, "main");
   EXPECT_NEAR(camera.verticalFov, 0.7f, 1e-6);
   EXPECT_NEAR(camera.nearPlane, 0.1f, 1e-6);
   EXPECT_TRUE(near(camera.eye, {4, 5, 6}));
   EXPECT_TRUE(near(glm::normalize(camera.target - camera.eye), {-1, 0, 0})) << "-z rotated by 90 degrees about y";
-  EXPECT_TRUE(warns(model, "orthographic"));
+  EXPECT_EQ(camera.parallelHeight, 0.0f);
+  EXPECT_FLOAT_EQ(model.scene.cameras[1].parallelHeight, 3);
+  EXPECT_FLOAT_EQ(model.scene.cameras[1].farPlane, 10);
 }
 
 TEST(Gltf, PunctualLights) {

@@ -24,6 +24,7 @@ ViewerCamera::ViewerCamera(const Camera& start, const Bounds& bounds) : camera_(
   pivot_ = start.target;
   speed_ = bounds.empty() || !(bounds.diagonal() > 0) ? 1.0f : 0.2f * bounds.diagonal();
   camera_.name = "viewer";
+  camera_.parallelHeight = 0;  // one flies through the scene
   camera_.up = {0, 1, 0};
 }
 
@@ -72,7 +73,8 @@ void ViewerCamera::setPivot(const glm::vec3& pivot) {
 void ViewerCamera::frame(const Bounds& bounds) {
   if (bounds.empty()) return;
   pivot_ = bounds.center();
-  distance_ = std::max(1e-4f, 0.5f * bounds.diagonal() / std::sin(0.5f * camera_.verticalFov));
+  if (!(bounds.diagonal() > 0)) return;
+  distance_ = 0.5f * bounds.diagonal() / std::sin(0.5f * camera_.verticalFov);
 }
 
 Camera ViewerCamera::camera() const {

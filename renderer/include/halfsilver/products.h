@@ -39,6 +39,7 @@ struct GpuScene {
   std::vector<shared::GpuMaterial> cutMaterials;  // those with holes
   std::uint32_t layeredMaterials = 0;             // that transmit or have a coat
   std::uint32_t blendingMaterials = 0;            // of AlphaMode::blend that are not opaque everywhere
+  bool beyondHalf = false;                        // a material shines brighter than a half float can tell
   std::uint32_t casters = 0;  // counts changes of what casts shadows but for moves: of the draw list and of holes
   std::vector<gl::Texture> textures;  // buckets of equal size, at most TEXTURE_BUCKETS
   gl::TexelBuffer alphas;             // of the textures that cut holes, see GpuMaterial::alphaFirst
@@ -100,7 +101,7 @@ struct GBuffer {
                            // behind a surface that blends
   gl::Texture baseColor;   // RGBA16F: rgb, a occlusion
   gl::Texture material;    // RGBA16F: f0 rgb, roughness; -1 for unlit
-  gl::Texture emissive;    // RGBA16F: rgb, a metallic
+  gl::Texture emissive;    // RGBA16F, RGBA32F if a material is brighter than halves can be: rgb, a metallic
   gl::Texture shaded;      // RGBA32F: deferred radiance, a sky visibility
   gl::Texture reflection;  // RGBA32F: radiance of the traced rays, a 1 if traced
   gl::Texture motion;      // RG32F: pixels since the frame before, right and up; only if image.motion asks for it

@@ -150,7 +150,8 @@ struct Camera {
   glm::vec3 target{0};
   glm::vec3 up{0, 1, 0};
   float verticalFov = 0.8726646f;  // radians
-  // Distances to the clipping planes in meters; 0: derived from the scene's bounds.
+  float parallelHeight = 0;        // meters of a parallel view from top to bottom; 0: perspective, by the field of view
+  // Distances to the clipping planes in meters; 0: nothing before the camera is left out.
   float nearPlane = 0;
   float farPlane = 0;
 

@@ -128,6 +128,8 @@ HALFSILVER_AT(FrameConstants, transfer, 308);
 HALFSILVER_AT(FrameConstants, bounces, 312);
 HALFSILVER_AT(FrameConstants, mappedLights, 316);
 HALFSILVER_AT(FrameConstants, shadowSamples, 320);
+HALFSILVER_AT(FrameConstants, drawnNear, 324);
+HALFSILVER_AT(FrameConstants, parallel, 328);
 static_assert(sizeof(FrameConstants) == 336);
 
 #undef HALFSILVER_AT

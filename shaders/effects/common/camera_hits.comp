@@ -14,6 +14,6 @@ void main() {
   uint number = pixelOfRay(index);
   ivec2 pixel = ivec2(number % frame.width, number / frame.width);
   uint triangle = texelFetch(gVisibility, pixel, 0).x - 1u;
-  TrianglePoint point = pointOnTriangle(triangle, frame.eye, pixelRay(pixel));
+  TrianglePoint point = pointOnTriangle(triangle, pixelOrigin(pixel), pixelRay(pixel));
   hits[index] = Hit(length(point.relative), triangle, point.barycentrics.x, point.barycentrics.y);
 }

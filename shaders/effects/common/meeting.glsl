@@ -41,7 +41,7 @@ Surface surfaceOf(uint index, Ray ray, Hit hit, inout float distance, float path
   TrianglePoint point = pointOnTriangle(hit.triangle, ray.origin, ray.direction);
   distance = dot(point.relative, ray.direction);
   Surface s = evaluateSurface(hit.triangle, point.barycentrics, ray.direction,
-                              (pathLength + distance) * frame.pixelCone, ALL_TEXTURES);
+                              coneWidth(pathLength + distance), ALL_TEXTURES);
   s.position = point.position;
   return s;
 }

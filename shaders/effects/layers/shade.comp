@@ -49,7 +49,7 @@ vec3 lightOf(Surface s, vec3 direction, bool traced) {
 }
 
 Layer layerOf(uint triangle, TrianglePoint point, vec3 direction, ScatteredPath path) {
-  Surface s = evaluateSurface(triangle, point.barycentrics, direction, path.pathLength * frame.pixelCone,
+  Surface s = evaluateSurface(triangle, point.barycentrics, direction, coneWidth(path.pathLength),
                               BASE_TEXTURES);
   s.position = point.position;
   float covers = frame.layerOpacity * s.alpha;

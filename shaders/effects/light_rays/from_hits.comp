@@ -36,7 +36,7 @@ void main() {
 #ifdef HIT_SURFACES
   Surface s = storedSurface(index, ray, hit);
 #else
-  Surface s = evaluateSurface(hit.triangle, vec2(hit.u, hit.v), ray.direction, pathLength * frame.pixelCone,
+  Surface s = evaluateSurface(hit.triangle, vec2(hit.u, hit.v), ray.direction, coneWidth(pathLength),
                               BASE_TEXTURES);
 #endif
   // Slots of a pixel lie side by side in an order of their own.

@@ -13,7 +13,7 @@ void main() {
   if (pixel.x >= int(frame.width) || pixel.y >= firstRow + rows) return;
   vec4 position = texelFetch(gPosition, pixel, 0);
   if (position.w <= 0.0) return;
-  vec3 toEye = frame.eye - position.xyz;
+  vec3 toEye = -fromCamera(position.xyz);
   uint triangle = texelFetch(gVisibility, pixel, 0).r - 1u;
   sendToLights(surfaceOfPixel(pixel, position.xyz), normalize(toEye), triangle, uint(pixel.y) * frame.width + uint(pixel.x),
                vec3(1.0), length(toEye), 0u);

@@ -23,8 +23,8 @@ void main() {
   trianglePositions(triangle, a, b, c);
   vec3 geometric = cross(b - a, c - a);
   geometric = dot(geometric, geometric) > 0.0 ? normalize(geometric) : normal;
-  if (dot(geometric, position - frame.eye) > 0.0) geometric = -geometric;
-  float pathLength = length(position - frame.eye);
+  if (dot(geometric, fromCamera(position)) > 0.0) geometric = -geometric;
+  float pathLength = length(fromCamera(position));
   for (uint i = 0u; i < frame.effectSamples; ++i) {
     vec3 direction = cosineDirection(normal, sample2(number, firstSample + i, 0u));
     // An interpolated normal's hemisphere reaches below the triangle's plane, where the surface would hide itself.

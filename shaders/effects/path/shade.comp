@@ -97,7 +97,7 @@ void main() {
   // The method says which triangle it is, and all methods then see the same point of it.
   TrianglePoint point = pointOnTriangle(hit.triangle, ray.origin, ray.direction);
   float distance = dot(point.relative, ray.direction), pathLength = path.pathLength + distance;
-  Surface s = evaluateSurface(hit.triangle, point.barycentrics, ray.direction, pathLength * frame.pixelCone,
+  Surface s = evaluateSurface(hit.triangle, point.barycentrics, ray.direction, coneWidth(pathLength),
                               ALL_TEXTURES);
   s.position = point.position;
   vec3 shines = s.unlit ? s.baseColor : s.emissive;

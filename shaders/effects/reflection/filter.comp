@@ -20,7 +20,7 @@ void main() {
   if (traced.a > 0.0 && roughness > 0.0 && !goesOn(facing)) {
     vec4 position = texelFetch(gPosition, pixel, 0);
     vec3 normal = facing.xyz;
-    float deviation = WIDEST * min(roughness / WIDE_ROUGHNESS, 1.0), pixelWidth = position.w * frame.pixelCone;
+    float deviation = WIDEST * min(roughness / WIDE_ROUGHNESS, 1.0), pixelWidth = coneWidth(position.w);
     vec4 sum = vec4(0.0);
     for (int y = -REACH; y <= REACH; ++y)
       for (int x = -REACH; x <= REACH; ++x) {

@@ -31,7 +31,7 @@ void main() {
   Ray ray = mirrorRay(number);
   vec4 stored = texelFetch(gNormal, pixel, 0);
   bool behind = goesOn(stored);
-  vec3 fromEye = ray.origin - frame.eye, normal = stored.xyz;
+  vec3 fromEye = fromCamera(ray.origin), normal = stored.xyz;
   vec3 toEye = -normalize(fromEye), x, y;
   frameAround(normal, x, y);
   vec3 v = vec3(dot(toEye, x), dot(toEye, y), max(dot(toEye, normal), 1e-4));

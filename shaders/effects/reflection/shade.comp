@@ -69,7 +69,7 @@ void main() {
 #ifdef HIT_SURFACES
   Surface s = storedSurface(index, ray, hit);
 #else
-  Surface s = evaluateSurface(hit.triangle, vec2(hit.u, hit.v), direction, pathLength * frame.pixelCone,
+  Surface s = evaluateSurface(hit.triangle, vec2(hit.u, hit.v), direction, coneWidth(pathLength),
                               BASE_TEXTURES);
 #endif
   vec4 lit = directLighting(s, -direction);

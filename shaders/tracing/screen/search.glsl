@@ -75,7 +75,7 @@ bool crossesDepth(ScreenRay s, ivec2 pixel, float from, float to) {
 
 Hit crossing(ScreenRay s, ivec2 pixel, uint triangle) {
   float t = (texelFetch(gPosition, pixel, 0).w - s.depth) / s.depthStep;
-  vec2 place = pointOnTriangle(triangle, frame.eye, pixelRay(pixel)).barycentrics;
+  vec2 place = pointOnTriangle(triangle, pixelOrigin(pixel), pixelRay(pixel)).barycentrics;
   return Hit(t, triangle, place.x, place.y);
 }
 
