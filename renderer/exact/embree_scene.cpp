@@ -61,8 +61,12 @@ bool visible(const RayContext& context, const Ray& ray, std::uint32_t number, do
   const glm::dvec3 normal = glm::cross(b - a, c - a);
   const double along = glm::dot(normal, glm::dvec3(ray.direction));
   if (context.query.cullBackFaces && !seenFromBehind(material) && along > 0) return false;
-  const auto least = static_cast<double>(nearestOf(ray, context.query));
-  if (t <= 64 * least && std::abs(along) * t < least * glm::length(normal)) return false;
+  const double length = glm::length(normal);
+  const glm::dvec3 size =
+      glm::max(glm::max(glm::abs(a), glm::abs(b)), glm::max(glm::abs(c), glm::abs(glm::dvec3(ray.origin))));
+  const double least = std::max(static_cast<double>(NEAREST_SHARE) * glm::dot(glm::abs(normal), size),
+                                static_cast<double>(nearestOf(ray, context.query)) * length);
+  if (t * length <= 64 * least && std::abs(along) * t <= least) return false;
   return !cutAway(scene, number, barycentrics, context.query.blends);
 }
 

@@ -16,7 +16,7 @@ double shareOfWhite(const Image& picture) {
   return static_cast<double>(white) / static_cast<double>(picture.pixelCount());
 }
 
-class Exposure : public testing::Test {
+class Exposure : public ::testing::Test {
  protected:
   // A lamp of 54,351 candela over a floor.
   ProgramResult render(const std::string& options) {

@@ -29,11 +29,15 @@ bool mayHit(TraceRay ray, uint triangle, float nearest) {
 // Whether the hit is near and the ray starts in the triangle's plane, as far as floats can tell. A point on an edge lies
 // in both of its triangles, and seen at a slant the rounding of the one that is not excluded is a hit at some distance.
 bool startsInPlane(TraceRay ray, uint triangle, float t) {
-  if (t > 64.0 * ray.least) return false;
+  if (t > 256.0 * frame.minDistance) return false;
   vec3 a, b, c;
   trianglePositions(triangle, a, b, c);
   vec3 normal = cross(normalize(b - a), normalize(c - a));
-  return abs(dot(normal, ray.direction)) * t < ray.least * length(normal);
+  // What rounding of the coordinates is worth along the normal.
+  vec3 size = max(max(abs(a), abs(b)), max(abs(c), abs(ray.origin)));
+  float least = NEAREST_SHARE * dot(abs(normal), size);
+  return t * length(normal) <= 64.0 * max(least, ray.least * length(normal)) &&
+         abs(dot(normal, ray.direction)) * t <= max(least, ray.least * length(normal));
 }
 
 void testCandidate(TraceRay ray, uint triangle, inout Hit best) {
