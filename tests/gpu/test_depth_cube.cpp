@@ -135,9 +135,9 @@ TEST_F(DepthCubeTest, ErrorsByCauseAddUpToHitError) {
   const HitErrors errors = compareHits(preset, exact, scene.bounds().diagonal());
   const auto count = [](const std::vector<bool>& all) { return std::count(all.begin(), all.end(), true); };
   std::vector<std::pair<const char*, std::ptrdiff_t>> causes;
-  for (const auto& [cause, name, value] : {std::tuple("layers", "cube.layers", "64"),
-                                           std::tuple("depth", "cube.depth", "single"),
-                                           std::tuple("axis", "cube.axes", "all")}) {
+  for (const auto& [cause, name, value] :
+       {std::tuple("layers", "cube.layers", "64"), std::tuple("depth", "cube.depth", "single"),
+        std::tuple("axis", "cube.axes", "all")}) {
     set(settings, name, value);
     const std::vector<bool> still = wrongRays(drawOnce(scene, camera, settings, kWidth, kHeight));
     std::ptrdiff_t righted = 0;

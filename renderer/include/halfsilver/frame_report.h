@@ -38,7 +38,7 @@ struct FrameReport {
       contributions;  // reflecting pixels of select.fraction by contribution, in classes of equal ratio
   std::array<std::uint64_t, 8> rays{};  // traced, by RAY_... of shaders/shared/rays.h
   float minDistance = 0;  // nearer hits may be ignored, meters: eight rounding steps of the scene's largest coordinate
-  std::uint32_t passes = 1;             // that the picture is the mean of
+  std::uint32_t passes = 1;  // that the picture is the mean of
   std::vector<StageTime> times;
   MemoryReport memory;
   std::uint64_t overflow = 0;       // rays given up
