@@ -66,6 +66,15 @@ PaperScenes paperScenes(const std::string& folder, bool quick) {
     scenes.push_back(sceneOf("Sponza", "builtin:atrium", {}, {}));
     result.standIns.push_back("Sponza: builtin:atrium stands for it; --scenes names a folder with sponza.glb");
   }
+  for (const auto& [name, otherwise] : {std::pair("bunny", "builtin:teapot"), {"dragon", "builtin:sphere"}}) {
+    const std::filesystem::path file = std::filesystem::path(folder) / (std::string(name) + ".glb");
+    const bool there = !folder.empty() && std::filesystem::exists(file);
+    scenes.push_back(there ? sceneOf(name, file.string(), {}, {"*=0.9"}) : sceneOf(name, otherwise, {}, {}));
+    result.standIns.push_back(
+        std::string(name) + ": " +
+        (there ? std::string(name) + ".glb, all of it a mirror"
+               : std::string(otherwise) + " stands for it; --scenes names a folder with " + name + ".glb"));
+  }
   // Hu et al. name their lights, not where they are.
   const BenchScene& teapot = result.of("teapot");
   const glm::vec3 center = teapot.model.scene.bounds().center(), half = 0.5f * teapot.model.scene.bounds().extent();
@@ -93,7 +102,7 @@ PaperScenes paperScenes(const std::string& folder, bool quick) {
 }
 
 std::vector<Paper> publishedPapers(const PaperScenes& scenes, bool quick) {
-  return {kastrati2017(scenes, quick), hu2014(scenes, quick)};
+  return {kastrati2017(scenes, quick), hu2014(scenes, quick), burger2007(scenes, quick)};
 }
 
 Quantity milliseconds(std::string name, double (*of)(const PaperPoint&)) { return {std::move(name), "ms", of}; }

@@ -52,12 +52,13 @@ struct PaperScenes {
   const BenchScene& of(const std::string& name) const;  // throws std::out_of_range
 };
 
-// `folder` may hold sponza.glb; if it does not, the atrium stands for it.
+// `folder` may hold sponza.glb, bunny.glb and dragon.glb; other scenes stand for those that it does not.
 PaperScenes paperScenes(const std::string& folder, bool quick);
 
 std::vector<Paper> publishedPapers(const PaperScenes& scenes, bool quick);
 Paper kastrati2017(const PaperScenes& scenes, bool quick);
 Paper hu2014(const PaperScenes& scenes, bool quick);
+Paper burger2007(const PaperScenes& scenes, bool quick);
 
 // What tables have in common.
 Quantity milliseconds(std::string name, double (*of)(const PaperPoint&));
