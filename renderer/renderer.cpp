@@ -44,7 +44,9 @@ bool Renderer::Impl::lightsByRays(const Settings& wanted) const {
   return wanted.shadow.method == ShadowMethod::rays && tracer && effect->usesLightRays();
 }
 
-bool Renderer::Impl::blends(const Settings& wanted) const { return effect->blends(wanted, scene); }
+bool Renderer::Impl::blends(const Settings& wanted) const {
+  return effect->blends(wanted, scene, tracer && tracer->seesBehind());
+}
 
 ShadowSettings Renderer::Impl::shadowsOf(const Settings& wanted) const {
   ShadowSettings used = wanted.shadow;
@@ -205,7 +207,7 @@ void Renderer::Impl::start(const Work& work, const Camera& camera, const Setting
       if (queue.count) queue.count.fill(0);  // overflow adds up over the generations that share a queue
     if (byRays) {
       frame.lightRays.forgetCounts();
-      frame.host.traces += LightRays::traces(view, lights, wanted.trace.bounces);
+      frame.host.traces += LightRays::traces(view, lights, effect->generations(wanted, blends(wanted)));
     } else {
       frame.lightRays = {};
       frame.effect.directLight = {};
@@ -261,7 +263,7 @@ void Renderer::Impl::finish(const Target& target) {
   if (scene.blendingMaterials > 0 && frame.host.blends == 0)
     warnings.push_back(std::to_string(scene.blendingMaterials) +
                        " material(s) with alphaMode BLEND are cut out where texture alpha times vertex alpha is below "
-                       "0.5: only traced pictures of the effects reflection, whitted and layers blend them");
+                       "0.5: the effects reflection and whitted blend them over exact methods, layers over all");
   MemoryReport held;
   held.geometry = scene.geometryBytes();
   held.textures = scene.textureBytes();

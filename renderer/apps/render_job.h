@@ -28,10 +28,10 @@ struct RenderJob {
   Renderer renderer;
 };
 
-// Adds what the report says was lost.
 // Draws a frame and sets the exposure that suits it.
 void exposeFor(RenderJob& job, const Camera& camera, Settings& settings);
 
+// Adds what the report says was lost.
 void warnOfLosses(const FrameReport& report, std::vector<std::string>& warnings);
 
 }  // namespace halfsilver

@@ -33,8 +33,8 @@ struct SequenceRequest {
   const OutputPaths& outputs;  // with a run of # each
   FrameRange range;
   bool overwrite = false;
-  int samples = 1;
-  bool automaticExposure = false;  // that of the first frame  // per pixel
+  int samples = 1;                 // per pixel
+  bool automaticExposure = false;  // that of the first frame
 };
 
 // Draws what is missing; structures and shadow maps are kept from frame to frame. Every file is whole as soon as it

@@ -51,8 +51,9 @@ class RayEffect {
 
   // Whether it is enough to know of that generation's rays that they meet something.
   virtual bool asksForAnyHit(int) const { return false; }
-  // Whether it composes what lies behind surfaces of AlphaMode::blend; if not, they are cut at a half.
-  virtual bool blends(const Settings&, const GpuScene&) const { return false; }
+  // Whether it composes what lies behind surfaces of AlphaMode::blend; if not, they are cut at a half. `seesBehind`:
+  // Tracer::seesBehind().
+  virtual bool blends(const Settings&, const GpuScene&, bool /*seesBehind*/) const { return false; }
 
   // Fills the queue with batch number `batch` of `batches`: first rays, their count and the size of their dispatch.
   // The G-buffer is shaded if spawnReadsShading(). Batch 0 begins the contributions, which all batches count. Allocates

@@ -61,12 +61,13 @@ bool visible(const RayContext& context, const Ray& ray, std::uint32_t number, do
   const glm::dvec3 normal = glm::cross(b - a, c - a);
   const double along = glm::dot(normal, glm::dvec3(ray.direction));
   if (context.query.cullBackFaces && !seenFromBehind(material) && along > 0) return false;
-  const double length = glm::length(normal);
-  const glm::dvec3 size =
-      glm::max(glm::max(glm::abs(a), glm::abs(b)), glm::max(glm::abs(c), glm::abs(glm::dvec3(ray.origin))));
-  const double least = std::max(static_cast<double>(NEAREST_SHARE) * glm::dot(glm::abs(normal), size),
-                                static_cast<double>(nearestOf(ray, context.query)) * length);
-  if (t * length <= 64 * least && std::abs(along) * t <= least) return false;
+  const glm::dvec3 origin(ray.origin);
+  const glm::dvec3 size = glm::max(glm::max(glm::abs(a), glm::abs(b)), glm::max(glm::abs(c), glm::abs(origin)));
+  constexpr double kShare = static_cast<double>(NEAREST_SHARE);
+  const auto least = static_cast<double>(nearestOf(ray, context.query));
+  const double off = std::max(kShare * glm::dot(glm::abs(normal), size), least * glm::length(normal));
+  const double reach = std::max({glm::distance(a, origin), glm::distance(b, origin), glm::distance(c, origin)});
+  if (t <= 64 * std::max(kShare * reach, least) && std::abs(glm::dot(normal, a - origin)) <= off) return false;
   return !cutAway(scene, number, barycentrics, context.query.blends);
 }
 

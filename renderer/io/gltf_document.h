@@ -70,8 +70,7 @@ struct Node {
 };
 
 struct TextureInfo {
-  int texture = -1;
-  int texCoord = 0;
+  int texture = -1, texCoord = 0;
   glm::dvec2 offset{0}, scale{1};  // KHR_texture_transform
   double rotation = 0;             // radians
 };

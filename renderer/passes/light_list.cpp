@@ -38,7 +38,10 @@ std::array<vec3, 8> corners(const Bounds& bounds) {
 // Bounds that can be looked at: not empty, not flat.
 Bounds solid(Bounds bounds) {
   if (bounds.empty()) bounds.add(vec3(0));
-  const float least = std::max(1e-4f * bounds.diagonal(), 1e-30f);
+  // More than rounding of the coordinates, so that something is left.
+  const vec3 farthest = glm::max(glm::abs(bounds.low), glm::abs(bounds.high));
+  const float least =
+      std::max({1e-4f * bounds.diagonal(), 1e-6f * std::max({farthest.x, farthest.y, farthest.z}), 1e-30f});
   bounds.low -= vec3(least);
   bounds.high += vec3(least);
   return bounds;

@@ -24,8 +24,9 @@ void ShadePass::run(const FrameView& view, const GBuffer& gbuffer) const {
   constexpr int kGroup = 8;
   api_->DispatchCompute(static_cast<GLuint>((gbuffer.width + kGroup - 1) / kGroup),
                         static_cast<GLuint>((gbuffer.height + kGroup - 1) / kGroup), 1);
-  // The shaded pixels (compute) are read by the composite pass and by read-backs.
-  api_->MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
+  // The shaded pixels (compute) are read by the composite pass and by read-backs, and added to by rays to lights.
+  api_->MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT |
+                      GL_TEXTURE_UPDATE_BARRIER_BIT);
 }
 
 }  // namespace halfsilver

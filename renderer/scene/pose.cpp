@@ -157,7 +157,7 @@ double decimalOf(float value) {
 }
 
 // What the float stands for: the fraction with the smallest denominator that rounds to it, as frames make them (16/15
-// for 1.0666667), or else its decimal. Two such fractions of up to an hour are further apart than a float's rounding.
+// for 1.0666667), or else its decimal. Up to some eight minutes only one such fraction rounds to a float.
 double exactDuration(float value) {
   constexpr int kLargestDenominator = 240;
   for (int denominator = 1; denominator <= kLargestDenominator; ++denominator) {

@@ -9,14 +9,20 @@ layout(std430, binding = SSBO_RAYS) readonly buffer RayBlock { uvec4 rayRows[]; 
 
 uint pixelOfRay(uint index) { return rayRows[index >> 2][index & 3u]; }
 
+// A few rounding steps of a position's coordinates.
+float roundingAt(vec3 position) {
+  vec3 size = abs(position);
+  return min(NEAREST_SHARE * max(size.x, max(size.y, size.z)), frame.minDistance);
+}
+
 // On behind a surface, from so far before it that what lies on it is found.
 Ray rayBehind(vec3 position, vec3 direction, uint triangle) {
-  precise vec3 origin = position - 16.0 * frame.minDistance * direction;
+  precise vec3 origin = position - 16.0 * roundingAt(position) * direction;
   return Ray(origin, FAR_AWAY, direction, triangle);
 }
 
 // Whether a surface that blends, hit by such a ray, is the one that it began on: on an edge that two triangles share.
-bool beganOn(uint kind, float t) { return kind == RAY_THROUGH && t < 24.0 * frame.minDistance; }
+bool beganOn(uint kind, Ray ray, float t) { return kind == RAY_THROUGH && t < 24.0 * roundingAt(ray.origin); }
 
 // The mirror image of the line from the eye to the pixel's surface, or the same way on behind a surface that blends.
 // `precise`: every program must see the same ray.

@@ -16,7 +16,7 @@ class LayersEffect final : public CameraEffect {
 
   int batches(const FrameView& view, const Settings& settings, std::uint32_t maxRays) const override;
   int generations(const Settings& settings, bool) const override { return settings.effect.layers; }
-  bool blends(const Settings&, const GpuScene&) const override { return true; }
+  bool blends(const Settings&, const GpuScene&, bool) const override { return true; }
   // Section "shade".
   void shade(const FrameView& view, const Settings& settings, const RayQueue& rays, const Hits& hits,
              const RayStep& step, RayQueue* next, EffectFrame& frame) override;

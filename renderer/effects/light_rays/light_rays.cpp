@@ -56,13 +56,13 @@ std::size_t LightRayFrame::bytes() const {
   return sum;
 }
 
-std::uint32_t LightRays::traces(const FrameView& view, std::span<const Light> lights, int bounces) {
+std::uint32_t LightRays::traces(const FrameView& view, std::span<const Light> lights, int shaded) {
   const std::uint32_t capacity = capacityOf(view, lights, 1);
   std::uint32_t groups = 0;
   eachGroup(view, lights, std::max(1u, capacity / bandOf(view.gbuffer, 0, pixelBands(view)).pixels),
             [&](auto...) { groups += static_cast<std::uint32_t>(pixelBands(view)); });
   eachGroup(view, lights, std::max(1u, capacity / sourcesOf(view, 1)),
-            [&](auto...) { groups += static_cast<std::uint32_t>(bounces); });
+            [&](auto...) { groups += static_cast<std::uint32_t>(shaded); });
   return groups * static_cast<std::uint32_t>(generations(view));
 }
 

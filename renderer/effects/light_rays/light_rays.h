@@ -38,8 +38,8 @@ class LightRays {
   // At most so many first rays per batch of a frame that is lit this way.
   static constexpr std::uint32_t kRaysAtOnce = 1u << 19;
 
-  // How often a frame whose rays come in one batch has a tracer trace.
-  static std::uint32_t traces(const FrameView& view, std::span<const Light> lights, int bounces);
+  // How often a frame whose rays come in one batch has a tracer trace; `shaded`: generations of hits.
+  static std::uint32_t traces(const FrameView& view, std::span<const Light> lights, int shaded);
 
   // After the deferred shading: adds to GBuffer::shaded. Sections "shade" and those of the tracer.
   void lightPixels(const FrameView& view, std::span<const Light> lights, const Trace& trace, int batches,

@@ -25,8 +25,8 @@ class ReflectionEffect final : public RayEffect {
   int generations(const Settings& settings, bool blends) const override {
     return settings.trace.bounces + (blends ? kBlended : 0);
   }
-  bool blends(const Settings& settings, const GpuScene& scene) const override {
-    return scene.blendingMaterials > 0 && settings.select.mode != SelectMode::none && settings.trace.method != "none";
+  bool blends(const Settings& settings, const GpuScene& scene, bool seesBehind) const override {
+    return scene.blendingMaterials > 0 && settings.select.mode != SelectMode::none && seesBehind;
   }
   int batches(const FrameView& view, const Settings& settings, std::uint32_t maxRays) const override {
     return bandCount(view.gbuffer, maxRays / perPixel(settings));

@@ -65,6 +65,9 @@ class Tracer {
   virtual void submit(const FrameView& view, const RayQueue& rays, Hits& hits) { trace(view, rays, hits); }
   virtual void collect(const FrameView&, const RayQueue&, Hits&) {}
 
+  // Whether its hits know the alpha of surfaces that blend and what is behind them; if not, these are cut at a half.
+  virtual bool seesBehind() const { return !storesAttributes(); }
+
   // Whether trace() writes Hits::surfaces.
   virtual bool storesAttributes() const { return false; }
 

@@ -21,11 +21,10 @@ DepthCubeTracer::DepthCubeTracer(const gl::Api& api, const Settings& settings)
 
 void DepthCubeTracer::update(const FrameView& view, const SceneChange& change) {
   // What is stored of a surface is its color, too, and not where a material has holes.
-  if (built_ && !change.geometry() && !change.materials && blends_ == view.frame.blends) return;
+  if (built_ && !change.geometry() && !change.materials) return;
   built_ = false;  // until nothing has failed
   grid_ = makeGrid(view.scene.extents.bounds(), 1, settings_.abuffer.resolution);
   cube_.build(view, grid_);
-  blends_ = view.frame.blends;
   built_ = true;
 }
 

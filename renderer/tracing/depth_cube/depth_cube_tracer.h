@@ -31,8 +31,7 @@ class DepthCubeTracer final : public Tracer {
   TracePass tracePass_;
   DepthCube cube_;
   Grid grid_;
-  bool built_ = false;        // for the geometry and the materials of the last update
-  std::uint32_t blends_ = 0;  // FrameConstants::blends of what was built
+  bool built_ = false;  // for the geometry and the materials of the last update
 };
 
 }  // namespace halfsilver

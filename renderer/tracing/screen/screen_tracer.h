@@ -25,6 +25,7 @@ class ScreenTracer final : public Tracer {
   // Section "build": the pyramid of this frame's depths.
   void update(const FrameView& view, const SceneChange& change) override;
   void trace(const FrameView& view, const RayQueue& rays, Hits& hits) override;
+  bool seesBehind() const override { return false; }
   TracerMemory memory() const override;
   const gl::Buffer* rayWork() const override { return tracePass_.work(); }
 

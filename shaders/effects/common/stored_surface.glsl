@@ -38,6 +38,5 @@ Surface storedSurface(uint index, Ray ray, Hit hit) {
   float fade = clamp(s.reflectivity / max(luminance(s.f0), 1e-6), 0.0, 1.0);
   s.roughness = fade > 0.0 ? (1.0 - fade) * frame.maxRoughness : max(s.roughness, frame.maxRoughness);
   leaveOutLayers(s);
-  if ((flags & MATERIAL_BLEND) != 0u) s.alpha = materials[material].baseColor.a;
   return s;
 }

@@ -43,7 +43,7 @@ void main() {
   uint ofPixel = path.slot % max(frame.glossySamples, 1u);
   vec3 share = reflectionShare(s.f0, s.roughness, -dot(s.normal, ray.direction));
   bool behind = frame.blends != 0u && passesOn != 0u && s.alpha < 1.0;
-  float covers = !behind ? 1.0 : beganOn(path.kind, hit.t) ? 0.0 : s.alpha;
+  float covers = !behind ? 1.0 : beganOn(path.kind, ray, hit.t) ? 0.0 : s.alpha;
   sendToLights(s, -ray.direction, hit.triangle, path.pixel, path.throughput * (1.0 - share) * covers, pathLength,
                joined(joined(1u, generation), ofPixel));
 }

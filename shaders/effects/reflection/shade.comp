@@ -96,7 +96,7 @@ void main() {
   }
 #ifdef NEXT_BOUNCE
   if (behind) {
-    bool again = beganOn(path.kind, hit.t);
+    bool again = beganOn(path.kind, ray, hit.t);
     float covers = again ? 0.0 : s.alpha;
     radiance *= covers;
     sendOn(again ? Ray(s.position, FAR_AWAY, direction, hit.triangle) : rayBehind(s.position, direction, hit.triangle),

@@ -29,15 +29,15 @@ bool mayHit(TraceRay ray, uint triangle, float nearest) {
 // Whether the hit is near and the ray starts in the triangle's plane, as far as floats can tell. A point on an edge lies
 // in both of its triangles, and seen at a slant the rounding of the one that is not excluded is a hit at some distance.
 bool startsInPlane(TraceRay ray, uint triangle, float t) {
-  if (t > 256.0 * frame.minDistance) return false;
+  if (t > 128.0 * max(NEAREST_SHARE * frame.diagonal, frame.minDistance)) return false;
   vec3 a, b, c;
   trianglePositions(triangle, a, b, c);
   vec3 normal = cross(normalize(b - a), normalize(c - a));
-  // What rounding of the coordinates is worth along the normal.
+  // What rounding of the coordinates is worth along the normal, and along the ray.
   vec3 size = max(max(abs(a), abs(b)), max(abs(c), abs(ray.origin)));
-  float least = NEAREST_SHARE * dot(abs(normal), size);
-  return t * length(normal) <= 64.0 * max(least, ray.least * length(normal)) &&
-         abs(dot(normal, ray.direction)) * t <= max(least, ray.least * length(normal));
+  float off = max(NEAREST_SHARE * dot(abs(normal), size), ray.least * length(normal));
+  float reach = max(distance(a, ray.origin), max(distance(b, ray.origin), distance(c, ray.origin)));
+  return t <= 64.0 * max(NEAREST_SHARE * reach, ray.least) && abs(dot(normal, a - ray.origin)) <= off;
 }
 
 void testCandidate(TraceRay ray, uint triangle, inout Hit best) {

@@ -46,7 +46,7 @@ vec2 seenRange(ScreenRay s, vec2 range) {
   cutRange(s.start.w + s.start.x, s.step.w + s.step.x, range);
   cutRange(s.start.w - s.start.y, s.step.w - s.step.y, range);
   cutRange(s.start.w + s.start.y, s.step.w + s.step.y, range);
-  cutRange(s.start.w - frame.nearPlane, s.step.w, range);
+  cutRange(s.depth - frame.drawnNear, s.depthStep, range);
   return range;
 }
 
