@@ -60,7 +60,7 @@ void Renderer::Impl::drawShadows(const Settings& wanted, gl::Profiler& profiler)
   shadowSettings.reset();
   shadowWarnings = shadowPass.run(scene, lights, sky, used, shadowChange, shadows, profiler);
   if (used.method != wanted.shadow.method)
-    shadowWarnings.push_back(
+    shadowWarnings.emplace_back(
         "shadow.method=rays is for trace.effect=reflection with a method that traces; shadow maps "
         "are used");
   shadowSettings = used;

@@ -42,27 +42,28 @@ bool contains(const std::string& text, const std::string& part) {
   return std::search(text.begin(), text.end(), part.begin(), part.end(), same) != text.end();
 }
 
-// By its place, or by a part of its name or its renderer's.
-Context chosenContext(const std::vector<ContextWay>& ways, const std::string& device) {
+// By its place among all devices, or by a part of its name or its renderer's; it has to be of the kind.
+Context chosenContext(ContextKind kind, const ContextOptions& options) {
+  const std::string& device = options.device;
   std::size_t place = 0;
   const auto [end, error] = std::from_chars(device.data(), device.data() + device.size(), place);
   const bool numbered = error == std::errc() && end == device.data() + device.size();
-  std::string known;
+  std::string known, lacks;
+  const std::vector<ContextWay> ways = waysOf(ContextKind::automatic, options, lacks);
   for (std::size_t i = 0; i < ways.size(); ++i) {
-    if (numbered && i != place) continue;
+    const bool fits = kind == ContextKind::automatic || kind == ways[i].kind;
+    if (!fits || (numbered && i != place)) continue;
     try {
       std::unique_ptr<Context::Backend> backend = ways[i].make();
       const std::string renderer = rendererOf(*backend);
       if (numbered || contains(ways[i].name, device) || contains(renderer, device)) return Context(std::move(backend));
       known += (known.empty() ? "" : ", ") + std::to_string(i) + " " + renderer + " (" + ways[i].name + ")";
     } catch (const Error& refused) {
-      if (numbered || contains(ways[i].name, device))
-        throw Error(ErrorKind::noContext, "device " + device + ": " + ways[i].name + ": " + refused.what());
+      known += (known.empty() ? "" : ", ") + std::to_string(i) + " " + ways[i].name + ": " + refused.what();
     }
   }
-  throw Error(ErrorKind::noContext, "there is no device '" + device + "' (" +
-                                        (numbered ? "the last one is " + std::to_string(ways.size() - 1) : known) +
-                                        ")");
+  throw Error(ErrorKind::noContext,
+              "there is no device '" + device + "'" + (known.empty() ? " of that kind" : " (" + known + ")"));
 }
 
 }  // namespace
@@ -93,9 +94,9 @@ std::vector<ContextDevice> contextDevices(const ContextOptions& options) {
 }
 
 Context makeContext(ContextKind kind, const ContextOptions& options) {
+  if (!options.device.empty()) return chosenContext(kind, options);
   std::string lacks;
-  std::vector<ContextWay> ways = waysOf(kind, options, lacks);
-  if (!options.device.empty()) return chosenContext(ways, options.device);
+  const std::vector<ContextWay> ways = waysOf(kind, options, lacks);
   std::string passedOver;
   ContextKind before = ContextKind::automatic;
   for (const ContextWay& way : ways) {

@@ -136,8 +136,8 @@ class Primitives {
                 {}});
   }
 
-  int add(Accessor accessor) {
-    document_.accessors.push_back(std::move(accessor));
+  int add(const Accessor& accessor) {
+    document_.accessors.push_back(accessor);
     return static_cast<int>(document_.accessors.size()) - 1;
   }
 

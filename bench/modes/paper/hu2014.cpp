@@ -16,8 +16,8 @@ double othersOf(const PaperPoint& p) {
 }
 double totalOf(const PaperPoint& p) { return buildOf(p) + tracingOf(p) + othersOf(p); }
 double framesOf(const PaperPoint& p) { return 1000 / std::max(totalOf(p), 1e-6); }
-double rmseOf(const PaperPoint& p) { return p.error ? p.error->rmse : 0; }
-double wrongOf(const PaperPoint& p) { return p.error ? 100 * p.error->hitError : 0; }
+double rmseOf(const PaperPoint& p) { return p.error ? p.error->rmse : kUnknown; }
+double wrongOf(const PaperPoint& p) { return p.error ? 100 * p.error->hitError : kUnknown; }
 double perSampleOf(const PaperPoint& p) {
   return tracingOf(p) / (p.settings.effect.samples * p.settings.effect.passes);
 }

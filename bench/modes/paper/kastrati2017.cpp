@@ -47,7 +47,7 @@ double storedOf(const PaperPoint& p) {
 }
 double wastedOf(const PaperPoint& p) { return static_cast<double>(p.memory.poolReserved - p.memory.poolUsed) / 1e6; }
 double perceptibleOf(const PaperPoint& p) {
-  return p.error && p.error->yeeFailFraction ? 100 * *p.error->yeeFailFraction : 0;
+  return p.error && p.error->yeeFailFraction ? 100 * *p.error->yeeFailFraction : kUnknown;
 }
 double coverageOf(const PaperPoint& p) { return 100 * p.pixels.coverage; }
 

@@ -58,13 +58,13 @@ PaperScenes paperScenes(const std::string& folder, bool quick) {
   if (!folder.empty() && std::filesystem::exists(sponza)) {
     scenes.push_back(sceneOf("Sponza", sponza.string(),
                              {"", glm::vec3(13, 1.2f, 0.4f), glm::vec3(-5, 2.6f, -0.2f), std::nullopt}, {"floor=0.9"}));
-    result.standIns.push_back("Sponza: sponza.glb, its floor a mirror, in the view of the README");
+    result.standIns.emplace_back("Sponza: sponza.glb, its floor a mirror, in the view of the README");
   } else if (quick) {
     scenes.push_back(sceneOf("Sponza", "builtin:teapot", {}, {}));
-    result.standIns.push_back("Sponza: in quick runs without sponza.glb builtin:teapot, which is no likeness");
+    result.standIns.emplace_back("Sponza: in quick runs without sponza.glb builtin:teapot, which is no likeness");
   } else {
     scenes.push_back(sceneOf("Sponza", "builtin:atrium", {}, {}));
-    result.standIns.push_back("Sponza: builtin:atrium stands for it; --scenes names a folder with sponza.glb");
+    result.standIns.emplace_back("Sponza: builtin:atrium stands for it; --scenes names a folder with sponza.glb");
   }
   for (const auto& [name, otherwise] : {std::pair("bunny", "builtin:teapot"), {"dragon", "builtin:sphere"}}) {
     const std::filesystem::path file = std::filesystem::path(folder) / (std::string(name) + ".glb");

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,6 +12,9 @@
 
 // What a paper has published, as data: its tables and figures with their numbers, and what is drawn for each row.
 namespace halfsilver::bench {
+
+// Of what was not measured, as errors are without exact rays.
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 // What a column of a paper's table means here.
 struct Quantity {

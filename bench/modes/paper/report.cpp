@@ -16,7 +16,7 @@ constexpr int kDigits = 3;  // that count
 
 // With as many digits as count; an exact 0 is one.
 std::string shortNumber(std::optional<double> value) {
-  if (!value) return "";
+  if (!value || std::isnan(*value)) return "";
   if (*value == 0) return "0";
   const int before = static_cast<int>(std::floor(std::log10(std::abs(*value)))) + 1;
   return number(*value, std::max(0, kDigits - before));
@@ -60,10 +60,10 @@ Table tableOf(const PublishedTable& table, const PaperPoint* points) {
     const std::string name = table.quantities[column].name + unitOf(table.quantities[column]);
     if (published[column]) {
       result.columns.push_back(name + ": paper");
-      result.columns.push_back("of base");
+      result.columns.emplace_back("of base");
     }
     result.columns.push_back(name + ": here");
-    result.columns.push_back("of base");
+    result.columns.emplace_back("of base");
   }
   for (std::size_t row = 0; row < table.rows.size(); ++row) {
     std::vector<std::string> cells = {table.rows[row].label};

@@ -47,7 +47,7 @@ class DepthCube {
   };
   gl::Texture makeImage(GLenum format, int layers, const char* label) const;
   void count(const FrameView& view, const Grid& grid);
-  void allocate(int texels);
+  void allocate(int layers);
   void draw(const DrawPrograms& programs, const FrameView& view, const Grid& grid) const;
   void peel(const FrameView& view, const Grid& grid);
   void storeSurfaces(const FrameView& view, const Grid& grid);
