@@ -103,7 +103,7 @@ PublishedTable timeTable(const PaperScenes& scenes, bool quick) {
     }
   }
   table.notes = {
-      "Every frame builds its structure anew, as the paper's do; rays are traced in fragment shaders.",
+      "Every frame rebuilds its structure, as the paper's do; rays are traced in fragment shaders.",
       "Construction: G-buffer, voxels and A-buffer. Deferred geometry: here the lights of pixels and of hits, with "
       "shadow maps and sky light, which the paper does not have. Others: selection and blending.",
       "Table 3, selective against full: the paper has 4.19, 2.49 and 3.0 for sphere, teapot and Sponza, and 13.37, "
