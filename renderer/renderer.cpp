@@ -353,8 +353,11 @@ Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
 DeviceInfo Renderer::device() const {
-  return {impl_->api.vendor, impl_->api.renderer, impl_->api.version, impl_->api.software};
+  const gl::Api& api = impl_->api;
+  return {api.vendor, api.renderer, api.version, api.software, api.programCounts->compiled, api.programCounts->cached};
 }
+
+void Renderer::restoreState(bool restores) { impl_->api.restoresState = restores; }
 
 void Renderer::setScene(const Scene& scene) {
   Impl& r = *impl_;

@@ -26,7 +26,8 @@
 
 namespace halfsilver {
 
-// All that a renderer owns. renderer.cpp draws frames, renderer_reads.cpp reads back what they show.
+// All that a renderer owns. renderer.cpp draws frames, renderer_prepare.cpp makes ready for them, renderer_reads.cpp
+// reads back what they show.
 struct Renderer::Impl {
   // Frames that may be under way, and frames whose figures may be: those, and one that has been reported.
   static constexpr std::size_t kFrames = 2, kRecords = kFrames + 1;
@@ -98,6 +99,7 @@ struct Renderer::Impl {
   void start(const Work& work, const Camera& camera, const Settings& wanted, const glm::ivec2& size,
              const std::optional<std::uint32_t>& sample);
   void finish(const Target& target);
+  void prepare(const Settings& wanted, DepthUse depth);
   void noteChange(const SceneChange& changed);
   void load(const Scene& wanted, std::vector<PosedPart> posed);
   void pose(const PoseState& state);

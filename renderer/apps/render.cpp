@@ -57,6 +57,7 @@ class Frames {
     progress.show("first frame");
     int warmUp = drawFirstFrame(*renderer_, *camera_, statistics_->settings, target_, report, samples_, steps);
     std::vector<StageTime> pictureTimes = report.times;
+    statistics_->device = renderer_->device();  // with the programs that it has made
     addWarnings(report.warnings, statistics_->warnings);
     clock.lap("first_frame");
     const std::vector<StageTime> firstTimes = pictureTimes;

@@ -131,7 +131,9 @@ Json toJson(const RunStatistics& s) {
                     {"renderer", s.device.renderer},
                     {"version", s.device.version},
                     {"context", s.context},
-                    {"software", s.device.software}};
+                    {"software", s.device.software},
+                    {"programs_compiled", s.device.programsCompiled},
+                    {"programs_cached", s.device.programsCached}};
   json["scene"] = {{"file", s.sceneFile},      {"triangles", s.triangles}, {"vertices", s.vertices},
                    {"materials", s.materials}, {"textures", s.textures},   {"lights", s.lights},
                    {"diagonal", s.diagonal}};

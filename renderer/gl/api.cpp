@@ -35,7 +35,17 @@ Limits readLimits(const Api& api) {
   api.GetIntegerv(GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS, &limits.fragmentStorageBlocks);
   api.GetIntegerv(GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS, &limits.computeStorageBlocks);
   api.GetIntegerv(GL_MAX_TEXTURE_IMAGE_UNITS, &limits.textureUnits);
+  api.GetIntegerv(GL_MAX_VIEWPORTS, &limits.viewports);
+  api.GetIntegerv(GL_MAX_DRAW_BUFFERS, &limits.drawBuffers);
   return limits;
+}
+
+std::vector<GLenum> readProgramFormats(const Api& api) {
+  GLint count = 0;
+  api.GetIntegerv(GL_NUM_PROGRAM_BINARY_FORMATS, &count);
+  std::vector<GLint> formats(static_cast<std::size_t>(std::max(count, 0)));
+  if (!formats.empty()) api.GetIntegerv(GL_PROGRAM_BINARY_FORMATS, formats.data());
+  return {formats.begin(), formats.end()};
 }
 
 }  // namespace
@@ -65,6 +75,7 @@ Api Api::load(const GetProcAddress& getProcAddress) {
     api.software = api.software || api.renderer.find(name) != std::string::npos;
   api.limits = readLimits(api);
   requireNeeds(api.limits);
+  api.programFormats = readProgramFormats(api);
   return api;
 }
 

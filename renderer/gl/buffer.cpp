@@ -25,7 +25,7 @@ Buffer::Buffer(const Api& api, std::size_t bytes, const char* label, BufferUse u
     throw Error(ErrorKind::failed, std::string("the ") + label + " buffer needs " + std::to_string(bytes >> 20) +
                                        " MiB, the device's limit for one buffer is " + std::to_string(limit >> 20) +
                                        " MiB");
-  while (api.GetError() != GL_NO_ERROR) {
+  for (int i = 0; i < 16 && api.GetError() != GL_NO_ERROR; ++i) {  // a lost context has errors for ever
   }
   api.CreateBuffers(1, &name_);
   api.NamedBufferStorage(name_, static_cast<GLsizeiptr>(bytes), nullptr, storageFlags(use));

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include <halfsilver/error.h>
+#include "gl/program_cache.h"
 
 namespace halfsilver::gl {
 namespace {
@@ -39,8 +40,7 @@ std::string readLog(const GetLog& getLog) {
   return log;
 }
 
-void attach(const Api& api, GLuint program, const Stage& stage, std::span<const Define> defines) {
-  const ShaderSource source = assembleShader(stage.file, defines);
+void attach(const Api& api, GLuint program, const Stage& stage, const ShaderSource& source) {
   const GLuint shader = api.CreateShader(stage.type);
   api.AttachShader(program, shader);
   api.DeleteShader(shader);  // goes with the program
@@ -93,7 +93,7 @@ GLint activeStorageBlocks(const Api& api, GLuint program) {
 GLint storageBlocksOf(const Api& api, const Stage& stage, std::span<const Define> defines, GLint all) {
   const GLuint alone = api.CreateProgram();
   api.ProgramParameteri(alone, GL_PROGRAM_SEPARABLE, GL_TRUE);  // so that its inputs and outputs count as used
-  attach(api, alone, stage, defines);
+  attach(api, alone, stage, assembleShader(stage.file, defines));
   api.LinkProgram(alone);
   const GLint blocks = linked(api, alone) ? activeStorageBlocks(api, alone) : all;
   api.DeleteProgram(alone);
@@ -113,13 +113,35 @@ void requireStorageBlocks(const Api& api, GLuint program, const std::string& lab
   }
 }
 
-GLuint link(const Api& api, std::span<const Stage> stages, std::span<const Define> defines) {
-  const std::string label(stages.empty() ? "" : stages.back().file);
+GLuint compile(const Api& api, const std::string& label, std::span<const Stage> stages,
+               std::span<const ShaderSource> sources) {
   const GLuint program = api.CreateProgram();
+  if (keepsPrograms(api)) api.ProgramParameteri(program, GL_PROGRAM_BINARY_RETRIEVABLE_HINT, GL_TRUE);
   try {
-    for (const Stage& stage : stages) attach(api, program, stage, defines);
+    for (std::size_t i = 0; i < stages.size(); ++i) attach(api, program, stages[i], sources[i]);
     api.LinkProgram(program);
     requireLinked(api, program, label, stages);
+  } catch (...) {
+    api.DeleteProgram(program);
+    throw;
+  }
+  ++api.programCounts->compiled;
+  return program;
+}
+
+GLuint link(const Api& api, std::span<const Stage> stages, std::span<const Define> defines) {
+  const std::string label(stages.empty() ? "" : stages.back().file);
+  std::vector<ShaderSource> sources;
+  ProgramKey key(api);
+  for (const Stage& stage : stages) key.add(stage.type, sources.emplace_back(assembleShader(stage.file, defines)).text);
+  GLuint program = loadProgram(api, key);
+  if (program) {
+    ++api.programCounts->cached;
+  } else {
+    program = compile(api, label, stages, sources);
+    storeProgram(api, program, key);
+  }
+  try {
     requireStorageBlocks(api, program, label, stages, defines);
   } catch (...) {
     api.DeleteProgram(program);

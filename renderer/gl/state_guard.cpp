@@ -161,7 +161,7 @@ void captureRasterization(const Api& api, SavedState& state) {
   state.clipDepth = integer(api, GL_CLIP_DEPTH_MODE);
   api.GetFloatv(GL_POLYGON_OFFSET_FACTOR, &state.polygonOffsetFactor);
   api.GetFloatv(GL_POLYGON_OFFSET_UNITS, &state.polygonOffsetUnits);
-  state.viewports.resize(static_cast<std::size_t>(integer(api, GL_MAX_VIEWPORTS)));
+  state.viewports.resize(static_cast<std::size_t>(api.limits.viewports));
   for (std::size_t i = 0; i < state.viewports.size(); ++i) {
     SavedState::Viewport& viewport = state.viewports[i];
     const GLuint index = static_cast<GLuint>(i);
@@ -170,7 +170,7 @@ void captureRasterization(const Api& api, SavedState& state) {
     api.GetIntegeri_v(GL_SCISSOR_BOX, index, viewport.scissor.data());
     viewport.scissorTest = api.IsEnabledi(GL_SCISSOR_TEST, index) == GL_TRUE;
   }
-  state.drawBuffers.resize(static_cast<std::size_t>(integer(api, GL_MAX_DRAW_BUFFERS)));
+  state.drawBuffers.resize(static_cast<std::size_t>(api.limits.drawBuffers));
   for (std::size_t i = 0; i < state.drawBuffers.size(); ++i) {
     SavedState::DrawBuffer& buffer = state.drawBuffers[i];
     const GLuint index = static_cast<GLuint>(i);
@@ -195,13 +195,14 @@ SavedState capture(const Api& api) {
   return state;
 }
 
-// The initial values, with the caller's viewports and scissor boxes.
-SavedState initial(const SavedState& caller) {
+// The initial values, with the caller's viewports and scissor boxes if they are known.
+SavedState initial(const Api& api, const SavedState* caller) {
   SavedState state;
   state.capabilities.assign(std::begin(kCapabilities), std::end(kCapabilities));
-  for (const SavedState::Viewport& viewport : caller.viewports)
-    state.viewports.push_back({viewport.box, {0, 1}, viewport.scissor, false});
-  state.drawBuffers.resize(caller.drawBuffers.size());
+  if (caller)
+    for (const SavedState::Viewport& viewport : caller->viewports)
+      state.viewports.push_back({viewport.box, {0, 1}, viewport.scissor, false});
+  state.drawBuffers.resize(static_cast<std::size_t>(api.limits.drawBuffers));
   return state;
 }
 
@@ -279,6 +280,12 @@ void applyRasterization(const Api& api, const SavedState& state) {
   }
 }
 
+// Of all viewports, without their boxes.
+void resetViewports(const Api& api) {
+  api.DepthRange(0, 1);
+  api.Disable(GL_SCISSOR_TEST);
+}
+
 void apply(const Api& api, const SavedState& state) {
   api.UseProgram(state.program);
   api.BindProgramPipeline(state.pipeline);
@@ -292,10 +299,14 @@ void apply(const Api& api, const SavedState& state) {
 
 }  // namespace
 
-StateGuard::StateGuard(const Api& api) : api_(&api), saved_(std::make_unique<const SavedState>(capture(api))) {
-  apply(api, initial(*saved_));
+StateGuard::StateGuard(const Api& api) : api_(&api) {
+  if (api.restoresState) saved_ = std::make_unique<const SavedState>(capture(api));
+  apply(api, initial(api, saved_.get()));
+  if (!saved_) resetViewports(api);
 }
 
-StateGuard::~StateGuard() { apply(*api_, *saved_); }
+StateGuard::~StateGuard() {
+  if (saved_) apply(*api_, *saved_);
+}
 
 }  // namespace halfsilver::gl

@@ -31,7 +31,7 @@ std::size_t texelBytes(GLenum format) {
 }  // namespace
 
 Texture::Texture(const Api& api, const Shape& shape, const char* label) : api_(&api), shape_(shape) {
-  while (api.GetError() != GL_NO_ERROR) {
+  for (int i = 0; i < 16 && api.GetError() != GL_NO_ERROR; ++i) {  // a lost context has errors for ever
   }
   api.CreateTextures(shape.target, 1, &name_);
   if (shape.target == GL_TEXTURE_2D)

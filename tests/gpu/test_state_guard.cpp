@@ -238,6 +238,23 @@ TEST_F(StateGuardTest, StartsFromInitialValues) {
   EXPECT_EQ(initial.lines(), Snapshot(api).lines());
 }
 
+TEST_F(StateGuardTest, StartsFromInitialValuesIfTheCallerKeepsNone) {
+  const auto setBoxes = [this] {  // which stay as they are: each pass sets its own
+    for (GLuint i = 0; i < 16; ++i) {
+      api.ViewportIndexedf(i, 0, 0, 4, 4);
+      api.ScissorIndexed(i, 0, 0, 4, 4);
+    }
+  };
+  setBoxes();
+  const Snapshot initial(api);
+  scramble(5);
+  gl::Api careless = api;
+  careless.restoresState = false;
+  { const gl::StateGuard guard(careless); }
+  setBoxes();
+  EXPECT_EQ(initial.lines(), Snapshot(api).lines());
+}
+
 TEST_F(StateGuardTest, RestoresTheInitialState) {
   const Snapshot before(api);
   {

@@ -31,10 +31,16 @@ struct Picked {
 struct DeviceInfo {
   std::string vendor, renderer, version;
   bool software = false;
+  // Programs that a Renderer has made so far: from their sources, and from what an earlier start has kept on disk.
+  std::uint64_t programsCompiled = 0, programsCached = 0;
 };
 
 // Draws scenes with selective ray-traced reflections. Use with one current GL 4.5 core context, the same from
-// construction to destruction. Each call leaves the GL state that it touches as it found it.
+// construction to destruction. Each call leaves the GL state that it touches as it found it, see restoreState().
+//
+// Programs are kept on disk where the driver gives them out, in the folder that the environment names in
+// HALFSILVER_CACHE (empty: not kept) or in halfsilver/ of the user's cache folder ($XDG_CACHE_HOME, otherwise
+// ~/.cache); a later start takes them from there.
 class Renderer {
  public:
   using Proc = void (*)();
@@ -48,6 +54,12 @@ class Renderer {
   Renderer& operator=(Renderer&&) noexcept;
 
   DeviceInfo device() const;
+
+  // Whether calls leave the GL state that they touch as they found it: they do unless told otherwise. For that they ask
+  // the driver for some 700 values each time, and every answer makes its threads wait for one another. A caller that
+  // sets all that it needs after each call can spare that: calls then ask for nothing, and leave bindings, capabilities
+  // and all other state as it happens to be.
+  void restoreState(bool restores);
 
   // Uploads the whole scene; the caller's copy is not kept.
   void setScene(const Scene& scene);
@@ -75,6 +87,15 @@ class Renderer {
   // Throws Error: usage for a pose of another rig, without a model and while a frame is under way; badInput if vertices
   // leave the range of floats. Nothing has moved then.
   void pose(const PoseState& state);
+
+  // Makes ready what frames by these settings need: compiles all programs (seconds on some drivers), and draws small
+  // pictures of the scene so that drivers which compile at the first draw do that, too. Afterwards no frame of render()
+  // or refine() by them into a target with that use of depth compiles anything, whatever moves. For a loading screen;
+  // settings that a frame may change to want a call of their own, the ones that come first the last. What methods keep
+  // from frame to frame begins anew if the settings make another tracer; temporal antialiasing and refine() begin anew;
+  // reports of earlier frames are gone. Waits for the GPU. Throws Error: usage without a scene and while a frame is
+  // under way, otherwise as render().
+  void prepare(const Settings& settings, DepthUse depth = DepthUse::none);
 
   // Drops what methods keep from frame to frame (abuffer.keep): the next frame builds what its own rays need.
   void forgetStructures();

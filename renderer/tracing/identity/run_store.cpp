@@ -42,6 +42,7 @@ RunStore::RunStore(const gl::Api& api, const Settings& settings)
       beginBricks_(gl::Program::compute(api, "tracing/identity/begin_bricks.comp")),
       beginGrowth_(gl::Program::compute(api, "tracing/identity/begin_growth.comp")),
       growEmpty_(gl::Program::compute(api, "tracing/identity/grow_empty.comp")),
+      compactRuns_(gl::Program::compute(api, "tracing/identity/compact_runs.comp")),
       work_(api, sizeof(shared::BrickWork), "work on bricks") {}
 
 Grid RunStore::brickGridOf(const GpuScene& scene, bool room) const {
@@ -180,7 +181,6 @@ bool RunStore::movable() const { return !api_->software || known_.longestRun <= 
 void RunStore::compact(std::uint64_t besides) {
   const GLuint left = known_.usedWords - known_.staleWords;
   const std::uint64_t words = times(kHeadroom, left);
-  if (!compactRuns_) compactRuns_ = gl::Program::compute(*api_, "tracing/identity/compact_runs.comp");
   gl::Buffer together;
   resize(*api_, together, words * kWordBytes, "A-buffer runs");
   noteTransient(besides + std::min(runs_.bytes(), together.bytes()));

@@ -78,8 +78,7 @@ class RunStore {
   double voxelsPerTriangle_;
   bool ownAxis_;
   VoxelPass voxelPass_;
-  gl::Program beginBricks_, beginGrowth_, growEmpty_;
-  gl::Program compactRuns_;  // made when it is first needed
+  gl::Program beginBricks_, beginGrowth_, growEmpty_, compactRuns_;
 
   Grid grid_, brickGrid_;
   EntryLayout entryLayout_;

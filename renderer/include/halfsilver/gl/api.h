@@ -17,6 +17,12 @@ using GetProcAddress = std::function<Proc(const char* name)>;
 
 struct LinkedProgram;
 
+// How programs came about.
+struct ProgramCounts {
+  std::uint64_t compiled = 0;  // from their sources
+  std::uint64_t cached = 0;    // from what an earlier start has kept, see gl/program_cache.h
+};
+
 // What the device offers. Programs are checked against the storage blocks at link time (see gl/program.h).
 struct Limits {
   GLint64 storageBlockBytes = 0;  // one shader storage block
@@ -28,6 +34,7 @@ struct Limits {
   GLint fragmentStorageBlocks = 0;
   GLint computeStorageBlocks = 0;
   GLint textureUnits = 0;
+  GLint viewports = 0, drawBuffers = 0;  // as StateGuard has to set them
 };
 
 struct Api {
@@ -37,7 +44,13 @@ struct Api {
 
   Limits limits;
   std::string vendor, renderer, version;
-  bool software = false;  // a software rasterizer: the loop limit of its shaders applies (see tracing)
+  bool restoresState = true;  // see StateGuard
+  bool software = false;      // a software rasterizer: the loop limit of its shaders applies (see tracing)
+
+  std::vector<GLenum> programFormats;  // of the linked programs that the driver gives out
+
+  // Programs made so far. Copies of the table share the counts.
+  std::shared_ptr<ProgramCounts> programCounts = std::make_shared<ProgramCounts>();
 
   // How often the host has been made to wait for the GPU (see gl/readback.h). Copies of the table share the count.
   std::shared_ptr<std::uint64_t> hostWaits = std::make_shared<std::uint64_t>(0);

@@ -121,6 +121,8 @@
   X(PFNGLGETPROGRAMIVPROC, GetProgramiv)                                 \
   X(PFNGLGETPROGRAMINFOLOGPROC, GetProgramInfoLog)                       \
   X(PFNGLGETPROGRAMINTERFACEIVPROC, GetProgramInterfaceiv)               \
+  X(PFNGLGETPROGRAMBINARYPROC, GetProgramBinary)                         \
+  X(PFNGLPROGRAMBINARYPROC, ProgramBinary)                               \
   X(PFNGLUSEPROGRAMPROC, UseProgram)                                     \
   X(PFNGLBINDPROGRAMPIPELINEPROC, BindProgramPipeline)                   \
   X(PFNGLGETUNIFORMLOCATIONPROC, GetUniformLocation)                     \
