@@ -125,7 +125,8 @@ LightRays::Trace Renderer::Impl::tracing(const FrameView& view) {
 
 // All generations of a batch.
 void Renderer::Impl::runPass(const FrameView& view, Frame& frame, RayBatch& batch, RayStep step) {
-  const int generations = effect->generations(frame.settings, frame.host.blends != 0);
+  const bool blending = frame.host.blends != 0;
+  const int generations = effect->generations(frame.settings, blending);
   const bool byRays = lightsByRays(frame.settings);
   const LightRays::Trace trace = tracing(view);
   for (int generation = 0; generation < generations; ++generation) {
@@ -134,7 +135,7 @@ void Renderer::Impl::runPass(const FrameView& view, Frame& frame, RayBatch& batc
     const RayQueue& rays = generation == 0 ? batch.rays : frame.queues[static_cast<std::size_t>((generation - 1) % 2)];
     RayQueue& next = frame.queues[static_cast<std::size_t>(generation % 2)];
     Hits& hits = generation == 0 ? batch.hits : frame.hits;
-    if (generation > 0) trace(rays, hits, effect->asksForAnyHit(generation));
+    if (generation > 0) trace(rays, hits, effect->asksForAnyHit(generation, blending));
     effect->shade(view, frame.settings, rays, hits, step, last ? nullptr : &next, frame.effect);
     if (byRays) lightRays.lightHits(view, lights, trace, rays, hits, step, !last, frame.effect, frame.lightRays);
   }
@@ -263,7 +264,7 @@ void Renderer::Impl::finish(const Target& target) {
   if (scene.blendingMaterials > 0 && frame.host.blends == 0)
     warnings.push_back(std::to_string(scene.blendingMaterials) +
                        " material(s) with alphaMode BLEND are cut out where texture alpha times vertex alpha is below "
-                       "0.5: the effects reflection and whitted blend them over exact methods, layers over all");
+                       "0.5: exact methods blend them, and the effect layers does over all");
   MemoryReport held;
   held.geometry = scene.geometryBytes();
   held.textures = scene.textureBytes();

@@ -46,6 +46,9 @@ class CameraEffect : public RayEffect {
 
   bool bringsAllLight() const final { return true; }
   bool startsAtCamera() const final { return true; }
+  bool blends(const Settings&, const GpuScene& scene, bool seesBehind) const override {
+    return scene.blendingMaterials > 0 && seesBehind;
+  }
   void spawn(const FrameView& view, int batch, int batches, RayQueue& out, EffectFrame& frame) final {
     camera_.spawn(view, batch, batches, out, frame);
   }

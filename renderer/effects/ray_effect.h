@@ -14,6 +14,9 @@ struct RayPasses {
   std::uint32_t summed = 0;  // of frames before, which are in the picture, too
 };
 
+// Surfaces that let light through and that a ray may pass after the depth of its effect: two walls.
+inline constexpr int kPassedSurfaces = 4;
+
 // Where a frame is among its rays.
 struct RayStep {
   int generation = 0;      // 0: first rays
@@ -49,8 +52,8 @@ class RayEffect {
   // Whether first rays are the camera's, which firstHits() answers; otherwise a tracer does.
   virtual bool startsAtCamera() const { return false; }
 
-  // Whether it is enough to know of that generation's rays that they meet something.
-  virtual bool asksForAnyHit(int) const { return false; }
+  // Whether it is enough to know of that generation's rays that they meet something. `blends`: as above.
+  virtual bool asksForAnyHit(int /*generation*/, bool /*blends*/) const { return false; }
   // Whether it composes what lies behind surfaces of AlphaMode::blend; if not, they are cut at a half. `seesBehind`:
   // Tracer::seesBehind().
   virtual bool blends(const Settings&, const GpuScene&, bool /*seesBehind*/) const { return false; }

@@ -1,6 +1,8 @@
-// Materials of AlphaMode::blend in the pictures of the reflection effect, and in what mirrors show.
+// Materials of AlphaMode::blend in pictures, in what mirrors show, and along paths.
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <string>
 #include <vector>
 
 #include "gpu/light_fixture.h"
@@ -185,6 +187,115 @@ TEST_F(BlendingTest, RaysToLightsPassWhatTheyLeave) {
   const Frame bare = see(scene, {{"shadow.method", "rays"}});
   EXPECT_GT(bare.at(12, 8, "G"), 0.1f);
   EXPECT_NEAR(veiled.at(12, 8, "G"), 0.75f * bare.at(12, 8, "G"), 1e-4f);
+}
+
+// The mean of a plane of a picture.
+double meanOf(const Frame& frame, const char* channel) {
+  const std::vector<float> values = frame.plane(channel);
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+// A floor, a black veil over all of it that covers a quarter, and a lamp over both.
+enum class Over { nothing, veil };
+Scene veiledFloor(const Material& floor, Over over, bool lamp) {
+  Scene scene;
+  scene.sky = lamp ? blackSky() : evenSky(kWhite);
+  addQuad(scene, {0, 0, 0}, {0, 0, 400}, {400, 0, 0}, addMaterial(scene, floor));
+  Material veil = diffuse({0, 0, 0});
+  veil.specular = 0;
+  veil.baseColor.a = 0.25f;
+  veil.alphaMode = AlphaMode::blend;
+  veil.doubleSided = true;
+  const std::uint32_t material = addMaterial(scene, veil);
+  if (over == Over::veil) addQuad(scene, {0, 0.5f, 0}, {400, 0, 0}, {0, 0, 400}, material);
+  if (!lamp) return scene;
+  Material light = diffuse({0, 0, 0});
+  light.specular = 0;
+  light.emissive = vec3(4);
+  light.doubleSided = true;
+  addQuad(scene, {0, 2, 0}, {2, 0, 0}, {0, 0, 2}, addMaterial(scene, light));
+  return scene;
+}
+
+TEST_F(BlendingTest, PathsMeetSheetsInTheirOrder) {
+  const Frame frame =
+      see(sheetsBeforeWall(), {{"trace.effect", "path"}, {"effect.samples", "64"}, {"effect.passes", "16"}});
+  vec3 left(0), right(0);
+  const char* channels[] = {"R", "G", "B"};
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x)
+      for (int c = 0; c < 3; ++c)
+        (x < kWidth / 2 ? left : right)[c] += frame.at(x, y, channels[c]) * 2 / (kWidth * kHeight);
+  for (int c = 0; c < 3; ++c) {
+    EXPECT_NEAR(left[c], throughBoth(kRed)[c], 3e-3f);
+    EXPECT_NEAR(right[c], throughBoth(kGreen)[c], 3e-3f);
+  }
+  EXPECT_GT(frame.report.rays[RAY_THROUGH], 1000u * kWidth * kHeight / 2);
+}
+
+// Rays to lights and paths that find them are weighted against each other, also behind a surface that blends.
+TEST_F(BlendingTest, PathsBringWhatAVeilLeavesOfLampsAndSkies) {
+  Material matte = diffuse(vec3(0.8f)), metal = diffuse(kWhite);
+  matte.specular = 0;
+  metal.metallic = 1;
+  const Camera below = lookAt({0, 0.3f, 1}, {0, 0, 0});
+  for (const bool lamp : {false, true})
+    for (const float roughness : {0.1f, 0.4f, 1.0f}) {
+      metal.roughness = roughness;
+      for (const Material& floor : {matte, metal}) {
+        if (lamp && roughness < 0.2f) continue;  // lamps behind veils are noise in what is all but a mirror
+        SCOPED_TRACE(std::to_string(lamp) + " " + std::to_string(roughness) + " " + std::to_string(floor.metallic));
+        const Settings settings = settingsWith(
+            {{"trace.effect", "path"}, {"effect.samples", "64"}, {"effect.passes", "8"}, {"trace.bounces", "1"}});
+        const auto light = [&](Over over) {
+          return meanOf(draw(veiledFloor(floor, over, lamp), below, settings, kWidth, kHeight), "G");
+        };
+        const double bare = light(Over::nothing), veiled = light(Over::veil);
+        EXPECT_GT(bare, 0.05);
+        EXPECT_NEAR(veiled, 0.75 * bare, 0.01 * bare);
+      }
+    }
+}
+
+TEST_F(BlendingTest, PathsEndAfterAsManyBouncesAsWithoutWhatBlends) {
+  // A furnace whose walls shine and reflect a half, with a pane in it that is all but clear.
+  Scene scene;
+  scene.sky = blackSky();
+  Material wall = diffuse(vec3(0.5f));
+  wall.specular = 0;
+  wall.emissive = vec3(1);
+  wall.doubleSided = true;
+  const std::uint32_t material = addMaterial(scene, wall);
+  for (int axis = 0; axis < 3; ++axis)
+    for (const float side : {-1.0f, 1.0f}) {
+      vec3 center(0), u(0), v(0);
+      center[axis] = side;
+      u[(axis + 1) % 3] = v[(axis + 2) % 3] = 1;
+      addQuad(scene, center, u, v, material);
+    }
+  Material pane = glowing({0, 0, 0}, 0.002f);
+  addSheet(scene, 0.1f, pane, vec3(0.9f));
+  const Frame frame =
+      draw(scene, lookAt({0.2f, 0.1f, 0.7f}, {0, 0, 0}),
+           settingsWith(
+               {{"trace.effect", "path"}, {"effect.samples", "64"}, {"effect.passes", "2"}, {"trace.bounces", "2"}}),
+           kWidth, kHeight);
+  EXPECT_NEAR(meanOf(frame, "R"), 1.875, 0.015 * 1.875);
+}
+
+TEST_F(BlendingTest, VeilsHideAsMuchOfTheSkyAsTheyCover) {
+  Scene scene = veiledFloor(diffuse(kWhite), Over::veil, false);
+  const auto light = [&](const Camera& camera) {
+    return meanOf(draw(scene, camera,
+                       settingsWith({{"trace.effect", "occlusion"}, {"effect.samples", "64"}, {"effect.passes", "4"}}),
+                       kWidth, kHeight),
+                  "G");
+  };
+  EXPECT_NEAR(light(lookAt({0, 0.3f, 1}, {0, 0, 0})), 0.75, 1e-3);
+  // From above, a quarter of what is seen is the veil's open side.
+  EXPECT_NEAR(light(lookAt({0, 2, 1}, {0, 0, 0})), 0.25 + 0.75 * 0.75, 0.01);
+  scene.materials[1].alphaMode = AlphaMode::opaque;
+  EXPECT_EQ(light(lookAt({0, 0.3f, 1}, {0, 0, 0})), 0);
 }
 
 TEST_F(BlendingTest, ThePictureIsThatOfTheLayersEffect) {

@@ -9,13 +9,10 @@
 namespace halfsilver {
 namespace {
 
-// Clear surfaces that a ray to a light may pass: two walls.
-constexpr int kPassed = 4;
-
 bool extended(const Light& light) { return light.type == LightType::rectangle || light.type == LightType::sphere; }
 
 int generations(const FrameView& view) {
-  return view.scene.layeredMaterials > 0 || view.frame.blends != 0 ? 1 + kPassed : 1;
+  return view.scene.layeredMaterials > 0 || view.frame.blends != 0 ? 1 + kPassedSurfaces : 1;
 }
 
 // Surfaces that send rays at once: pixels of a band, or rays of a batch.

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "effects/camera_rays.h"
+#include "frame/surface_programs.h"
 
 namespace halfsilver {
 
@@ -13,16 +15,21 @@ class OcclusionEffect final : public CameraEffect {
   explicit OcclusionEffect(const gl::Api& api);
 
   int batches(const FrameView& view, const Settings& settings, std::uint32_t maxRays) const override;
-  int generations(const Settings&, bool) const override { return 2; }
+  // The camera's surfaces, what their rays find, and what is behind surfaces that blend.
+  int generations(const Settings&, bool blends) const override { return blends ? 2 + kPassedSurfaces : 2; }
   bool showsLayers() const override { return true; }  // it shows no materials at all
-  bool asksForAnyHit(int generation) const override { return generation > 0; }
+  bool asksForAnyHit(int generation, bool blends) const override { return generation > 0 && !blends; }
   // Section "shade".
   void shade(const FrameView& view, const Settings& settings, const RayQueue& rays, const Hits& hits,
              const RayStep& step, RayQueue* next, EffectFrame& frame) override;
 
  private:
   int samplesPerPass(const Settings& settings) const override { return settings.effect.samples; }
+  const gl::Program& blending(const GpuScene& scene, bool camera, bool last);
+
+  const gl::Api* api_;
   gl::Program scatter_, gather_;
+  std::optional<SurfacePrograms> blending_[3];  // made on first use: the camera's hits, later ones, the last
 };
 
 }  // namespace halfsilver

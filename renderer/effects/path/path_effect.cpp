@@ -7,14 +7,16 @@
 namespace halfsilver {
 namespace {
 
-constexpr std::uint32_t kRaysPerSample = 2;  // the path's next stretch and one to a light
+// Of each sample in a generation: the path's next stretch, one to a light, and those sent before that pass surfaces.
+std::uint32_t raysPerSample(const FrameView& view) { return view.frame.blends != 0 ? 2 + kPassedSurfaces : 2; }
 
 }  // namespace
 
 PathEffect::PathEffect(const gl::Api& api) : CameraEffect(api), api_(&api), energy_(api) {}
 
 int PathEffect::batches(const FrameView& view, const Settings& settings, std::uint32_t maxRays) const {
-  return cameraBatches(view.gbuffer, kRaysPerSample * static_cast<std::uint32_t>(settings.effect.samples), maxRays);
+  return cameraBatches(view.gbuffer, raysPerSample(view) * static_cast<std::uint32_t>(settings.effect.samples),
+                       maxRays);
 }
 
 const gl::Program& PathEffect::shading(const GpuScene& scene, bool camera, bool last) {
@@ -34,10 +36,10 @@ void PathEffect::shade(const FrameView& view, const Settings& settings, const Ra
   const GpuScene& scene = view.scene;
   const auto samples = static_cast<std::uint32_t>(settings.effect.samples);
   const gl::Program& program = shading(scene, step.generation == 0, next == nullptr);
-  // Later generations have no more paths than the first sent on.
-  const std::uint32_t room = bandOf(view.gbuffer, step.batch, frame.batches).pixels * kRaysPerSample * samples;
+  const std::uint32_t room = bandOf(view.gbuffer, step.batch, frame.batches).pixels * raysPerSample(view) * samples;
   cameraRays().bind(program, view, frame, rays, step, next, room);
   program.set("generation", static_cast<unsigned>(step.generation));
+  program.set("bounces", static_cast<unsigned>(settings.trace.bounces));
   program.set("firstSample", step.pass * samples);
   program.set("emitterCount", scene.emitters.count);
   program.set("skyRows", scene.skyTable.rows);

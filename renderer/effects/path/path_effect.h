@@ -16,8 +16,10 @@ class PathEffect final : public CameraEffect {
   explicit PathEffect(const gl::Api& api);
 
   int batches(const FrameView& view, const Settings& settings, std::uint32_t maxRays) const override;
-  // Surfaces after the camera's: trace.bounces, then what their rays find.
-  int generations(const Settings& settings, bool) const override { return settings.trace.bounces + 2; }
+  // Surfaces after the camera's: trace.bounces, those that are passed, then what their rays find.
+  int generations(const Settings& settings, bool blends) const override {
+    return settings.trace.bounces + 2 + (blends ? kPassedSurfaces : 0);
+  }
   bool showsLayers() const override { return true; }
   // Section "shade".
   void shade(const FrameView& view, const Settings& settings, const RayQueue& rays, const Hits& hits,

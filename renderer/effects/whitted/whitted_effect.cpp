@@ -9,9 +9,6 @@
 namespace halfsilver {
 namespace {
 
-// Surfaces that a ray to a light may pass, at the end of the depth: two walls.
-constexpr int kPassed = 4;
-
 // What a pixel may send in a generation, on average over a band: a scene of glass alone, whose paths branch at every
 // surface, sends more at the end of its depth.
 std::uint32_t raysPerPixel(const FrameView& view) { return 6 + 3 * view.frame.directLights; }
@@ -26,7 +23,7 @@ int WhittedEffect::batches(const FrameView& view, const Settings&, std::uint32_t
 
 // The camera's hits, those of the depth, and what their rays to lights meet.
 int WhittedEffect::generations(const Settings& settings, bool) const {
-  return 1 + settings.trace.bounces + 1 + kPassed;
+  return 1 + settings.trace.bounces + 1 + kPassedSurfaces;
 }
 
 const gl::Program& WhittedEffect::shading(const GpuScene& scene, bool camera, bool surfaces, bool last) {

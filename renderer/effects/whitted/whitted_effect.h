@@ -17,9 +17,6 @@ class WhittedEffect final : public CameraEffect {
   int batches(const FrameView& view, const Settings&, std::uint32_t maxRays) const override;
   int generations(const Settings& settings, bool) const override;
   bool showsLayers() const override { return true; }
-  bool blends(const Settings&, const GpuScene& scene, bool seesBehind) const override {
-    return scene.blendingMaterials > 0 && seesBehind;
-  }
   // Section "shade".
   void shade(const FrameView& view, const Settings& settings, const RayQueue& rays, const Hits& hits,
              const RayStep& step, RayQueue* next, EffectFrame& frame) override;

@@ -1,4 +1,4 @@
-// A ray that nothing stops brings light of 1; one that was given up, none.
+// A ray that nothing stops brings light of 1; one that was given up, none. Where surfaces blend: blend.comp.
 #include "effects/common/light_sums.glsl"
 #include "shared/bindings.h"
 #include "shared/structs.h"
