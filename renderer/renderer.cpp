@@ -54,11 +54,14 @@ ShadowSettings Renderer::Impl::shadowsOf(const Settings& wanted) const {
   return used;
 }
 
-void Renderer::Impl::drawShadows(const Settings& wanted, gl::Profiler& profiler) {
+void Renderer::Impl::drawShadows(const Camera& camera, const Settings& wanted, gl::Profiler& profiler) {
   const ShadowSettings used = shadowsOf(wanted);
-  if (shadowSettings == used) return;
+  const ShadowBoxes boxes =
+      shadowBoxes(scene.clusters.all(), scene.extents.bounds(), shadowPass.resolutionOf(used), camera.eye);
+  if (shadowSettings == used && shadowsShow == boxes) return;
   shadowSettings.reset();
-  shadowWarnings = shadowPass.run(scene, lights, sky, used, shadowChange, shadows, profiler);
+  shadowWarnings = shadowPass.run(scene, lights, sky, used, boxes, shadowChange, shadows, profiler);
+  shadowsShow = boxes;
   if (used.method != wanted.shadow.method)
     shadowWarnings.emplace_back(
         "shadow.method=rays is for trace.effect=reflection with a method that traces; shadow maps "
@@ -174,7 +177,7 @@ void Renderer::Impl::start(const Work& work, const Camera& camera, const Setting
   useTracer(wanted);
   useEffect(wanted.trace.effect);
   if (rig) posePass.run(*rig, scene, wanted.scene.posing, record.profiler());
-  drawShadows(wanted, record.profiler());
+  drawShadows(camera, wanted, record.profiler());
   const PictureUse use = picture.begin(camera, wanted, size, sample);
   shared::FrameConstants constants =
       makeFrameConstants(camera, scene.extents.bounds(), sky, wanted, size.x, size.y, shadows.ranges, use.jitter);

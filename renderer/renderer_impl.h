@@ -57,6 +57,7 @@ struct Renderer::Impl {
 
   ShadowMaps shadows;
   std::optional<ShadowSettings> shadowSettings;  // of the maps; none: they are out of date
+  ShadowBoxes shadowsShow;                       // likewise
   ShadowChange shadowChange;                     // since they were drawn
   std::vector<std::string> shadowWarnings;
   std::unique_ptr<Tracer> tracer;
@@ -88,7 +89,7 @@ struct Renderer::Impl {
   bool blends(const Settings& wanted) const;
   bool lightsByRays(const Settings& wanted) const;
   ShadowSettings shadowsOf(const Settings& wanted) const;
-  void drawShadows(const Settings& wanted, gl::Profiler& profiler);
+  void drawShadows(const Camera& camera, const Settings& wanted, gl::Profiler& profiler);
   std::uint32_t maxRays(const Settings& wanted) const;
   void submitBatch(const FrameView& view, Frame& frame, std::size_t number);
   void finishBatch(const FrameView& view, Frame& frame, std::size_t number);

@@ -163,8 +163,9 @@ Fit fitPerspective(const Bounds& bounds, const Bounds& core, const Light& light,
 
 constexpr float kWidestMap = glm::radians(80.0f);  // half angle of a spot that one map can show
 
-int layersOf(const Light& light, bool wholeIsCore) {
-  if (light.type == LightType::directional) return wholeIsCore ? 1 : 2;
+// `nested`: how many maps a directional light has.
+int layersOf(const Light& light, std::size_t nested) {
+  if (light.type == LightType::directional) return static_cast<int>(nested);
   return light.type == LightType::spot && light.outerConeAngle <= kWidestMap ? 1 : 6;
 }
 
@@ -177,7 +178,7 @@ struct Shares {
   int directions = 0;
 };
 
-Shares share(std::span<const Light> lights, const LightListLimits& limits, bool wholeIsCore,
+Shares share(std::span<const Light> lights, const LightListLimits& limits, std::size_t nested,
              std::vector<std::string>& warnings) {
   Shares shares;
   shares.tile = std::max(limits.resolution / kSkyTiles, std::min(limits.resolution, kMinTile));
@@ -185,8 +186,8 @@ Shares share(std::span<const Light> lights, const LightListLimits& limits, bool 
   shares.tilesPerLayer = perSide * perSide;
   const std::span<const Light> mapped = limits.mapsOfLights ? lights : std::span<const Light>();
   for (const Light& light : mapped) {
-    if (shares.lightLayers + layersOf(light, wholeIsCore) > limits.layers) break;
-    shares.lightLayers += layersOf(light, wholeIsCore);
+    if (shares.lightLayers + layersOf(light, nested) > limits.layers) break;
+    shares.lightLayers += layersOf(light, nested);
     ++shares.shadowed;
   }
   const long long room = static_cast<long long>(limits.layers - shares.lightLayers) * shares.tilesPerLayer;
@@ -254,8 +255,10 @@ shared::GpuLight makeLight(vec3 direction, const vec3& color) {
   return light;
 }
 
-void addLight(LightList& list, const Bounds& bounds, const Bounds& core, const Light& source, bool shadowed,
+// `nested`: the boxes of a directional light's maps, the last of which is all.
+void addLight(LightList& list, std::span<const Bounds> nested, const Bounds& core, const Light& source, bool shadowed,
               int resolution) {
+  const Bounds& bounds = nested.back();
   const float length = glm::length(source.direction);
   const vec3 direction = length > 0 ? source.direction / length : vec3(0, -1, 0);
   shared::GpuLight light = makeLight(direction, source.color * source.intensity);
@@ -275,16 +278,14 @@ void addLight(LightList& list, const Bounds& bounds, const Bounds& core, const L
     return;
   }
   if (source.type == LightType::directional) {
-    int layer = 0;
-    if (core != bounds)
-      addView(list, light, layer++, fitOrthographic(bounds, core, direction, resolution), list.layers, whole,
-              resolution);
-    addView(list, light, layer, fitOrthographic(bounds, bounds, direction, resolution), list.layers + layer, whole,
-            resolution);
+    for (int layer = 0; layer < static_cast<int>(nested.size()); ++layer)
+      addView(list, light, layer,
+              fitOrthographic(bounds, nested[static_cast<std::size_t>(layer)], direction, resolution),
+              list.layers + layer, whole, resolution);
   } else {
     // Room for the filter beyond the cone or the cube's edge.
     const float room = 1 + 2.0f * static_cast<float>(kMargin) / static_cast<float>(resolution);
-    if (layersOf(source, true) == 1) {
+    if (layersOf(source, nested.size()) == 1) {
       const float spread = room * std::tan(std::max(source.outerConeAngle, 0.01f));
       addView(list, light, 0, fitPerspective(bounds, core, source, direction, side, spread, resolution), list.layers,
               whole, resolution);
@@ -298,7 +299,7 @@ void addLight(LightList& list, const Bounds& bounds, const Bounds& core, const L
       }
     }
   }
-  list.layers += layersOf(source, core == bounds);
+  list.layers += layersOf(source, nested.size());
   list.lights.push_back(light);
 }
 
@@ -350,12 +351,16 @@ void addHemisphere(LightList& list, const vec3& from, const vec3& irradiance, fl
 }  // namespace
 
 LightList makeLightList(const Bounds& sceneBounds, std::span<const Light> lights, const Sky& sky,
-                        const LightListLimits& limits, const Bounds& sceneCore) {
-  const Bounds bounds = solid(sceneBounds), core = sceneCore.empty() ? bounds : solid(sceneCore);
+                        const LightListLimits& limits, const ShadowBoxes& boxes) {
+  const Bounds bounds = solid(sceneBounds), core = boxes.core.empty() ? bounds : solid(boxes.core);
+  std::vector<Bounds> nested;
+  for (const Bounds& box : boxes.around) nested.push_back(solid(box));
+  if (!boxes.core.empty()) nested.push_back(core);
+  nested.push_back(bounds);
   LightList list;
-  const Shares shares = share(lights, limits, core == bounds, list.warnings);
+  const Shares shares = share(lights, limits, nested.size(), list.warnings);
   for (std::size_t i = 0; i < lights.size(); ++i)
-    addLight(list, bounds, core, lights[i], i < shares.shadowed, limits.resolution);
+    addLight(list, nested, core, lights[i], i < shares.shadowed, limits.resolution);
   list.ranges.direct = static_cast<std::uint32_t>(lights.size());
   list.ranges.mapped = limits.mapsOfLights ? list.ranges.direct : 0;
 

@@ -9,6 +9,7 @@
 #include <halfsilver/products.h>
 #include <halfsilver/scene.h>
 #include <halfsilver/shared_structs.h>
+#include "passes/shadow_boxes.h"
 
 namespace halfsilver {
 
@@ -32,10 +33,10 @@ struct LightListLimits {
 // shared layer for each direction of the sky. If the layers do not suffice, the sky has fewer directions; if
 // that is not enough, the last lights cast no shadows. The warnings name both.
 //
-// `core`: where nearly all triangles lie, if a few large ones reach far beyond. A directional light then
-// has a layer for what lies there or casts shadows there, before that of the whole scene; lights do not begin farther
-// away than the core asks for. Spots wider than 80 degrees have six layers.
+// A directional light has a layer for each of the `boxes`, of what lies there or casts shadows there, before that of
+// the whole scene; lights do not begin farther away than the core asks for. Spots wider than 80 degrees have six
+// layers.
 LightList makeLightList(const Bounds& bounds, std::span<const Light> lights, const Sky& sky,
-                        const LightListLimits& limits, const Bounds& core = {});
+                        const LightListLimits& limits, const ShadowBoxes& boxes = {});
 
 }  // namespace halfsilver

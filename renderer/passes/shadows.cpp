@@ -1,7 +1,6 @@
 #include "passes/shadows.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <utility>
 
@@ -37,25 +36,6 @@ gl::Texture makeMaps(const gl::Api& api, int resolution, int layers) {
   return maps;
 }
 
-float longestSide(const Bounds& bounds) {
-  const glm::vec3 extent = bounds.extent();
-  return std::max({extent.x, extent.y, extent.z});
-}
-
-// Where nearly everything is, if a few large triangles reach far beyond; else nothing. It grows and moves by steps of a
-// quarter, so that maps are kept while something moves in it.
-Bounds smallCore(const GpuScene& scene) {
-  constexpr float kWorthwhile = 16, kSteps = 4;
-  const float whole = longestSide(scene.extents.bounds());
-  Bounds core;
-  for (const DrawCluster& cluster : scene.clusters.all())
-    if (kWorthwhile * longestSide(cluster.bounds) <= whole) core.add(cluster.bounds);
-  const float size = longestSide(core);
-  if (!(size > 0) || kWorthwhile * size > whole) return {};
-  const float step = std::exp2(std::floor(std::log2(size / kSteps)));
-  return {step * glm::floor(core.low / step), step * glm::ceil(core.high / step)};
-}
-
 void copy(const gl::Api& api, const gl::Texture& from, const gl::Texture& to, const glm::ivec4& rectangle, int layer,
           int layers) {
   api.CopyImageSubData(from.name(), GL_TEXTURE_2D_ARRAY, 0, rectangle.x, rectangle.y, layer, to.name(),
@@ -79,18 +59,22 @@ void ShadowChange::add(std::span<const Bounds> boxes) {
 ShadowPass::ShadowPass(const gl::Api& api)
     : api_(&api), opaque_(makeProgram(api, false)), cut_(makeProgram(api, true)), vertexArray_(api) {}
 
+int ShadowPass::resolutionOf(const ShadowSettings& settings) const {
+  return std::min<int>(settings.resolution, api_->limits.framebufferSize);
+}
+
 std::vector<std::string> ShadowPass::run(const GpuScene& scene, std::span<const Light> lights, const Sky& sky,
-                                         const ShadowSettings& settings, const ShadowChange& change, ShadowMaps& out,
-                                         gl::Profiler& profiler) const {
+                                         const ShadowSettings& settings, const ShadowBoxes& boxes,
+                                         const ShadowChange& change, ShadowMaps& out, gl::Profiler& profiler) const {
   const auto section = profiler.section("shadow");
   LightListLimits limits;
-  limits.resolution = std::min<int>(settings.resolution, api_->limits.framebufferSize);
+  limits.resolution = resolutionOf(settings);
   limits.skyDirections = settings.skyDirections;
   limits.mapsOfLights = settings.method == ShadowMethod::maps;
   const std::size_t layerBytes =
       sizeof(float) * static_cast<std::size_t>(limits.resolution) * static_cast<std::size_t>(limits.resolution);
   limits.layers = std::min<int>(api_->limits.arrayLayers, static_cast<int>(kMaxBytes / layerBytes));
-  LightList list = makeLightList(scene.extents.bounds(), lights, sky, limits, smallCore(scene));
+  LightList list = makeLightList(scene.extents.bounds(), lights, sky, limits, boxes);
   if (limits.resolution < settings.resolution)
     list.warnings.push_back("shadow maps: the device draws at most " + std::to_string(limits.resolution) +
                             " texels along a side");

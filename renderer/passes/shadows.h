@@ -10,6 +10,7 @@
 #include <halfsilver/settings.h>
 #include "gl/framebuffer.h"
 #include "gl/program.h"
+#include "passes/shadow_boxes.h"
 #include "passes/view_culling.h"
 
 namespace halfsilver {
@@ -35,11 +36,14 @@ class ShadowPass {
  public:
   explicit ShadowPass(const gl::Api& api);
 
-  // Brings `out` up to date with scene, lights, sky and the shadow settings. Returns warnings, one line each: lights or
-  // directions of the sky for which there was no room, or a resolution beyond the device.
+  // Texels along a map on this device.
+  int resolutionOf(const ShadowSettings& settings) const;
+
+  // Brings `out` up to date with scene, lights, sky, the shadow settings and the boxes. Returns warnings, one line
+  // each: lights or directions of the sky for which there was no room, or a resolution beyond the device.
   std::vector<std::string> run(const GpuScene& scene, std::span<const Light> lights, const Sky& sky,
-                               const ShadowSettings& settings, const ShadowChange& change, ShadowMaps& out,
-                               gl::Profiler& profiler) const;
+                               const ShadowSettings& settings, const ShadowBoxes& boxes, const ShadowChange& change,
+                               ShadowMaps& out, gl::Profiler& profiler) const;
 
  private:
   // A view with the parts of it that are out of date, in texels of its layer.

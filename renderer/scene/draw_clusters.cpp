@@ -55,31 +55,49 @@ float longestSide(const Bounds& bounds) {
   return std::max({extent.x, extent.y, extent.z});
 }
 
-// Which triangles of the list are far larger than all others: a sixteenth of the scene. Nothing if they are many.
-std::vector<bool> largeTriangles(const Scene& scene, std::span<const std::uint32_t> drawList) {
-  constexpr float kShare = 1.0f / 16;
-  constexpr std::ptrdiff_t kMost = 64;
-  const auto boundsOf = [&scene](std::uint32_t triangle) {
-    Bounds bounds;
-    for (const std::uint32_t vertex : scene.triangles[triangle].vertices) bounds.add(scene.vertices[vertex].position);
-    return bounds;
-  };
-  Bounds all;
-  for (const std::uint32_t triangle : drawList) all.add(boundsOf(triangle));
-  const float limit = kShare * longestSide(all);
-  std::vector<bool> large;
-  large.reserve(drawList.size());
-  for (const std::uint32_t triangle : drawList) large.push_back(longestSide(boundsOf(triangle)) > limit);
-  if (std::count(large.begin(), large.end(), true) > kMost) large.assign(drawList.size(), false);
-  return large;
+Bounds boundsOf(const Scene& scene, std::uint32_t triangle) {
+  Bounds bounds;
+  for (const std::uint32_t vertex : scene.triangles[triangle].vertices) bounds.add(scene.vertices[vertex].position);
+  return bounds;
 }
+
+// A cluster that triangles are added to.
+struct Growing {
+  Bounds bounds;
+  double sides = 0;  // sum of the longest sides of its triangles
+  std::uint32_t count = 0;
+
+  void add(const Bounds& triangle) {
+    bounds.add(triangle);
+    sides += static_cast<double>(longestSide(triangle));
+    ++count;
+  }
+  // Whether the triangle is far from the others, or of quite another size: part of another thing.
+  bool isForeign(const Bounds& triangle) const {
+    constexpr float kFar = 16, kUnlike = 8;
+    const float side = longestSide(triangle), mean = static_cast<float>(sides / count);
+    if (!(side > 0) || !(mean > 0)) return false;
+    Bounds both = bounds;
+    both.add(triangle);
+    return longestSide(both) > kFar * std::max(longestSide(bounds), side) || side > kUnlike * mean ||
+           kUnlike * side < mean;
+  }
+};
 
 }  // namespace
 
 DrawClusters::DrawClusters(const Scene& scene, std::vector<std::uint32_t> drawList, std::span<const DrawRange> ranges,
                            std::span<const PosedPart> posed)
     : drawList_(std::move(drawList)) {
-  const std::vector<bool> large = largeTriangles(scene, drawList_);
+  group(scene, ranges, posed, true);
+  // An order without neighbors is not one of things.
+  constexpr std::size_t kSeparate = 160;
+  if (clusters_.size() > kSeparate + 2 * drawList_.size() / kTriangles) group(scene, ranges, posed, false);
+}
+
+void DrawClusters::group(const Scene& scene, std::span<const DrawRange> ranges, std::span<const PosedPart> posed,
+                         bool byThing) {
+  clusters_.clear();
   for (const DrawRange& range : ranges) {
     const std::uint32_t end = range.first + range.count;
     for (std::uint32_t next = range.first; next < end;) {
@@ -87,10 +105,13 @@ DrawClusters::DrawClusters(const Scene& scene, std::vector<std::uint32_t> drawLi
       cluster.first = next;
       cluster.cut = range.cut;
       cluster.part = partOf(posed, drawList_[next]);
-      while (next < end && next - cluster.first < kTriangles && partOf(posed, drawList_[next]) == cluster.part &&
-             large[next] == large[cluster.first])
-        ++next;
-      cluster.count = next - cluster.first;
+      Growing growing;
+      for (; next < end && growing.count < kTriangles && partOf(posed, drawList_[next]) == cluster.part; ++next) {
+        const Bounds triangle = boundsOf(scene, drawList_[next]);
+        if (byThing && growing.count > 0 && growing.isForeign(triangle)) break;
+        growing.add(triangle);
+      }
+      cluster.count = growing.count;
       measure(scene, drawList_, cluster);
       if (cluster.part) cluster.bounds = posed[*cluster.part].bounds;
     }

@@ -64,7 +64,7 @@ vec3 directLight(uint light, Surface s, vec3 toEye) {
     receiver = liftedReceiver(s.position, s.geometricNormal, toLight, distanceToLight, colorTexel.w);
     if (shadow.w > 1.0) face = cubeFace(receiver - positionRange.xyz);
   } else if (shadow.w > 1.0) {
-    face = partOrWhole((shadowMatrix(light, 0) * vec4(receiver, 1.0)).xyz);
+    face = nestedLayer(light, receiver, int(shadow.w));
   }
   mat4 worldToMap = shadowMatrix(light, face);
   vec4 place = worldToMap * vec4(receiver, 1.0);

@@ -90,10 +90,13 @@ int cubeFace(vec3 away) {
   return away.z > 0.0 ? 4 : 5;
 }
 
-// The layer of a directional light's two that a point lies in: the first shows a part of the scene only.
-int partOrWhole(vec3 place) {
+// The first of a directional light's layers that a point lies in: each shows a part of the next, the last one all.
+int nestedLayer(uint light, vec3 position, int layers) {
   const float FILTER = 3.0;  // texels
-  vec2 fromMiddle = abs(2.0 * place.xy - 1.0);
   float edge = 1.0 - 2.0 * FILTER / float(textureSize(shadowMaps, 0).x);
-  return max(fromMiddle.x, fromMiddle.y) > edge ? 1 : 0;
+  for (int layer = 0; layer < layers - 1; ++layer) {
+    vec2 fromMiddle = abs(2.0 * (shadowMatrix(light, layer) * vec4(position, 1.0)).xy - 1.0);
+    if (max(fromMiddle.x, fromMiddle.y) <= edge) return layer;
+  }
+  return layers - 1;
 }

@@ -69,7 +69,9 @@ Sky evenSky(const glm::vec3& radiance) {
 void LightTest::draw(const Scene& scene, const Camera& camera, int width, int height) {
   gpu = uploadScene(api, scene);
   // Shadows come first: their count of lights is part of the constants.
-  warnings = shadowPass.run(gpu, scene.lights, scene.sky, settings.shadow, {}, shadows, profiler);
+  const ShadowBoxes boxes =
+      shadowBoxes(gpu.clusters.all(), gpu.extents.bounds(), shadowPass.resolutionOf(settings.shadow), camera.eye);
+  warnings = shadowPass.run(gpu, scene.lights, scene.sky, settings.shadow, boxes, {}, shadows, profiler);
   frame = makeFrameConstants(camera, gpu.extents.bounds(), scene.sky, settings, width, height, shadows.ranges);
   constants = gl::makeBuffer(api, std::span<const shared::FrameConstants>(&frame, 1), "frame");
   gbufferPass.run(view(), gbuffer);

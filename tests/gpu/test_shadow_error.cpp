@@ -58,7 +58,7 @@ class ShadowErrorTest : public LightTest {
     model_.scene.sky = sky;
     if (!gpu.positions) gpu = uploadScene(api, model_.scene);
     ShadowMaps maps;
-    shadowPass.run(gpu, lights, sky, settings.shadow, {}, maps, profiler);
+    shadowPass.run(gpu, lights, sky, settings.shadow, {}, {}, maps, profiler);
     if (!shadowed) {
       LightListLimits none;
       none.layers = 0;

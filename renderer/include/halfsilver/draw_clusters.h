@@ -32,8 +32,9 @@ struct DrawCluster {
   std::uint32_t firstVertex = 0, lastVertex = 0;  // all that it uses lie between, inclusive
 };
 
-// The draw list in clusters of neighbors: triangles keep the scene's order within a range. A cluster of which a part
-// moves is split, so that what moves has clusters of its own, with bounds of its own.
+// The draw list in clusters of neighbors: triangles keep the scene's order within a range. Neighbors that lie far apart
+// or are of quite another size are in different clusters, if that does not make them many: bounds are those of a thing.
+// A cluster of which a part moves is split, so that what moves has clusters of its own, with bounds of its own.
 class DrawClusters {
  public:
   static constexpr std::uint32_t kTriangles = 256;
@@ -56,6 +57,9 @@ class DrawClusters {
   std::span<const std::uint32_t> drawList() const { return drawList_; }  // numbers of triangles
 
  private:
+  // byThing: as said above.
+  void group(const Scene& scene, std::span<const DrawRange> ranges, std::span<const PosedPart> posed, bool byThing);
+
   std::vector<std::uint32_t> drawList_;
   std::vector<DrawCluster> clusters_;
   std::vector<Bounds> started_;
