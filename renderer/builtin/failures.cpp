@@ -3,55 +3,13 @@
 #include <utility>
 
 #include <halfsilver/builtin.h>
-#include "builtin/parts.h"
+#include "builtin/failure_stage.h"
 #include "builtin/random.h"
 
 namespace halfsilver {
 namespace {
 
 using glm::dvec3;
-
-// A 4 m mirror floor under things of four colors, seen from above.
-class Stage {
- public:
-  Stage() {
-    mirror = addMaterial(model.scene, metal("mirror", glm::vec3(0.95f), 0.0f));
-    for (const auto& [name, color] : {std::pair("red", glm::vec3(0.70f, 0.05f, 0.04f)),
-                                      {"yellow", {0.85f, 0.62f, 0.08f}},
-                                      {"green", {0.08f, 0.42f, 0.12f}},
-                                      {"blue", {0.05f, 0.14f, 0.62f}},
-                                      {"moving", {0.85f, 0.30f, 0.04f}}}) {
-      Material material = dielectric(name, color, 0.6f);
-      material.doubleSided = true;
-      addMaterial(model.scene, material);
-    }
-    model.scene.cameras.push_back(lookAt("front", {0.3f, 1.5f, 3.4f}, {0, 0.25f, 0}, 45));
-  }
-
-  void floor(double half = 2) {
-    build.use(mirror).rectangle(dvec3(-half, 0, -half), dvec3(2 * half, 0, 0), dvec3(0, 0, 2 * half));
-  }
-  // With its own corners, counter-clockwise.
-  void triangle(dvec3 a, dvec3 b, dvec3 c) {
-    const dvec3 normal = glm::normalize(glm::cross(b - a, c - a)), tangent = glm::normalize(b - a);
-    const std::uint32_t first = build.vertex({a, normal, tangent, {0, 0}});
-    build.vertex({b, normal, tangent, {1, 0}});
-    build.vertex({c, normal, tangent, {0, 1}});
-    build.triangle(first, first + 1, first + 2);
-  }
-
-  Model finish() {
-    setMesh(model.scene, build.take());
-    model.scene.sky = clearSky();
-    model.scene.lights.push_back(sunlight({-0.55f, -0.80f, -0.45f}, glm::vec3(1.0f, 0.94f, 0.84f), 7.0f));
-    return std::move(model);
-  }
-
-  Model model;
-  MeshBuilder build;
-  std::uint32_t mirror = 0;
-  static constexpr std::uint32_t red = 1, yellow = 2, green = 3, blue = 4, moving = 5;
-};
 
 void ball(Stage& stage, std::uint32_t material, dvec3 center, double radius, int segments = 24) {
   stage.build.use(material).lathe(Profile().arc({0, 0}, radius, 0.5 * kPi, -0.5 * kPi, segments), center, 2 * segments);
@@ -253,7 +211,7 @@ Model growing() {
 
 constexpr SlowMove kSideways{{0.002f, 0, 0}, {}, 1};
 
-constexpr std::array<FailureScene, 15> kFailures{{
+constexpr std::array<FailureScene, 22> kFailures{{
     {"outvoted", "a large triangle outvoted by two small ones in each voxel", outvoted, kSideways},
     {"mixed-normals", "triangles of all directions in one voxel", mixedNormals, kSideways},
     {"rods", "thin rods seen end-on, thin wires", rods, kSideways},
@@ -269,6 +227,13 @@ constexpr std::array<FailureScene, 15> kFailures{{
     {"millimetres", "a scene in millimeters", millimetres, {{2, 0, 0}, {}, 1}},
     {"crossing", "an object that crosses a voxel border slowly", crossing, {{}, {0, 0, 0.008f}, 1}},
     {"growing", "more fragments at once than the pool was made for", growing, {{}, {}, 4}},
+    {"figures", "skinned figures in motion", makeFigures, {.seconds = 1.0 / 24}},
+    {"ripples", "vertices that a function moves", makeRipples, {.shape = shapeRipples}},
+    {"canopy", "alpha-masked leaves in the wind", makeCanopy, {.shape = shapeCanopy}},
+    {"panes", "see-through surfaces, also in mirrors", makePanes, kSideways},
+    {"thin-walls", "walls thinner than ten centimeters", makeThinWalls, kSideways},
+    {"one-mesh", "a house with rooms that is one mesh", makeOneMesh, kSideways},
+    {"ribbons", "thin features with one side", makeRibbons, kSideways},
 }};
 
 }  // namespace

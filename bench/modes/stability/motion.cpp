@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
+
+#include <halfsilver/pose.h>
 
 namespace halfsilver::bench {
 namespace {
@@ -28,12 +31,18 @@ Motion::Motion(BenchScene& scene, const SlowMove& move) : scene_(&scene), move_(
 std::vector<VertexRange> Motion::to(int frame) {
   const auto steps = static_cast<float>(frame);
   scene_->camera.eye = eye_ + steps * move_.camera;
-  if (range_.count == 0) return {};
+  Model& model = scene_->model;
+  std::vector<VertexRange> moved;
+  if (move_.seconds > 0)
+    moved = pose(model, playTogether(compatibleAnimations(model.rig), move_.seconds * frame)).moved;
+  if (range_.count == 0) return moved;
   const float size = std::pow(move_.growth, steps);
   for (std::uint32_t i = 0; i < range_.count; ++i)
     scene_->model.scene.vertices[range_.first + i].position =
         center_ + size * (atRest_[i].position - center_) + steps * move_.object;
-  return {range_};
+  if (move_.shape) move_.shape(std::span(model.scene.vertices).subspan(range_.first, range_.count), frame);
+  moved.push_back(range_);
+  return moved;
 }
 
 }  // namespace halfsilver::bench

@@ -8,7 +8,8 @@
 
 namespace halfsilver::bench {
 
-// Moves the camera and an object of a scene, frame by frame. The object is what has the material "moving".
+// Moves the camera and an object of a scene, frame by frame. The object is what has the material "moving"; animations
+// play, too.
 class Motion {
  public:
   Motion(BenchScene& scene, const SlowMove& move);

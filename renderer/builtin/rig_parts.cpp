@@ -1,11 +1,10 @@
+#include "builtin/rig_parts.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "builtin/game_parts.h"
-
-// Nodes, skins and animations that are made in code.
-namespace halfsilver::game {
+namespace halfsilver {
 namespace {
 
 using glm::dvec3;
@@ -108,4 +107,4 @@ void addRotations(Animation& animation, int node, int keys, const std::function<
   animation.channels.push_back(std::move(channel));
 }
 
-}  // namespace halfsilver::game
+}  // namespace halfsilver
