@@ -363,6 +363,8 @@ DeviceInfo Renderer::device() const {
 
 void Renderer::restoreState(bool restores) { impl_->api.restoresState = restores; }
 
+bool Renderer::traces(std::string_view method) const { return hasTracer(method, impl_->methods); }
+
 void Renderer::setScene(const Scene& scene) {
   Impl& r = *impl_;
   if (!r.underWay.empty()) throw Error(ErrorKind::usage, "setScene(): a frame is under way, finish() it first");

@@ -185,6 +185,9 @@ void renderPicture(const RenderRequest& request, const ViewArguments& arguments,
   clock.lap("load");
   RenderJob job(request.view, arguments, settings, std::move(view), progress, clock);
   RunStatistics& statistics = job.statistics;
+  progress.show("calibration");
+  decideMethod(job, camera, statistics.settings);
+  clock.lap("calibration");
   if (request.exposure == "auto") {
     progress.show("exposure");
     exposeFor(job, camera, statistics.settings);
@@ -215,7 +218,7 @@ void render(const RenderRequest& request) {
   WallClock clock;
   const std::optional<FrameRange> range = checkRequest(request);
   const ViewArguments arguments = checkView(request.view);
-  Settings settings = baseSettings(request.view);
+  Settings settings = programSettings(request.view);
   applyOverrides(settings, request.view);
   if (!request.exposure.empty())
     settings.image.exposure = parseExposure(request.exposure).value_or(settings.image.exposure);

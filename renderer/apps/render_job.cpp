@@ -1,9 +1,11 @@
 #include "apps/render_job.h"
 
+#include <string_view>
 #include <utility>
 
 #include "apps/drawing.h"
 #include "apps/exposure.h"
+#include "apps/method_choice.h"
 
 namespace halfsilver {
 namespace {
@@ -24,6 +26,12 @@ RunStatistics describeRun(const ViewRequest& request, const ViewArguments& argum
   statistics.height = arguments.size.height;
   statistics.warnings = model.warnings;
   return statistics;
+}
+
+std::string valueOf(const Settings& settings, std::string_view name) {
+  for (const SettingInfo& info : describe(settings))
+    if (info.name == name) return info.value;
+  return {};
 }
 
 }  // namespace
@@ -52,6 +60,25 @@ void exposeFor(RenderJob& job, const Camera& camera, Settings& settings) {
   job.renderer.render(camera, once, job.target.target());
   settings.image.exposure = automaticExposure(job.renderer.readLayers()).value_or(settings.image.exposure);
   job.renderer.forgetHistory();
+}
+
+void decideMethod(RenderJob& job, const Camera& camera, Settings& settings, const std::function<void(int)>& advance) {
+  if (settings.trace.method != "auto") return;
+  const RunStatistics& run = job.statistics;
+  const ChoiceKey key{.device = run.device.renderer,
+                      .version = run.device.version,
+                      .scene = run.sceneFile,
+                      .triangles = run.triangles,
+                      .width = run.width,
+                      .height = run.height,
+                      .moves = static_cast<bool>(advance),
+                      .effect = valueOf(settings, "trace.effect"),
+                      .bounces = settings.trace.bounces};
+  job.statistics.choice = rememberedChoice(choicesFile(), key, [&] {
+    return chooseMethod(job.renderer,
+                        {.camera = camera, .settings = settings, .target = job.target.target(), .advance = advance});
+  });
+  settings.trace.method = job.statistics.choice->method;
 }
 
 void warnOfLosses(const FrameReport& report, std::vector<std::string>& warnings) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,11 @@ struct RenderJob {
 
 // Draws a frame and sets the exposure that suits it.
 void exposeFor(RenderJob& job, const Camera& camera, Settings& settings);
+
+// If trace.method is auto, chooses the method that suits scene and device, or remembers it. `advance`: see
+// CalibrationInputs.
+void decideMethod(RenderJob& job, const Camera& camera, Settings& settings,
+                  const std::function<void(int)>& advance = {});
 
 // Adds what the report says was lost.
 void warnOfLosses(const FrameReport& report, std::vector<std::string>& warnings);

@@ -122,6 +122,13 @@ void renderSequence(const SequenceRequest& request, Progress& progress, WallCloc
     return drawFirstFrame(job.renderer, chooseCamera(job.view, request.arguments.camera), settings, job.target.target(),
                           report, samples);
   };
+  progress.show("calibration");
+  decideMethod(job, chooseCamera(job.view, request.arguments.camera), settings, [&](int step) {
+    poseView(job.view, animations, timeOf(frames.front() + step), request.view.loop);
+    job.renderer.pose(*job.view.state);
+  });
+  job.statistics.settings = settings;
+  clock.lap("calibration");
   if (request.automaticExposure) {
     poseView(job.view, animations, timeOf(request.range.first), request.view.loop);
     job.renderer.pose(*job.view.state);

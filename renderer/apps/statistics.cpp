@@ -75,6 +75,12 @@ Json budgetJson(const BudgetSummary& budget) {
           {"dropped", budget.dropped}};
 }
 
+Json choiceJson(const MethodChoice& choice) {
+  Json json = {{"method", choice.method}, {"reason", choice.reason}, {"measured_ms", Json::object()}};
+  for (const MethodTime& time : choice.measured) json["measured_ms"][time.method] = time.milliseconds;
+  return json;
+}
+
 std::string budgetLine(const BudgetSummary& budget, const FrameReport& report) {
   std::string limits;
   if (std::isfinite(budget.limits.milliseconds)) limits += format("%g ms", budget.limits.milliseconds);
@@ -176,6 +182,7 @@ Json toJson(const RunStatistics& s) {
   json["wall_ms"] = Json::object();
   for (const auto& [lap, elapsed] : s.wallMilliseconds) json["wall_ms"][lap] = elapsed;
   if (s.budget) json["budget"] = budgetJson(*s.budget);
+  if (s.choice) json["auto"] = choiceJson(*s.choice);
   json["warm_up_frames"] = s.warmUpFrames;
   json["overflow"] = s.report.overflow;
   json["lost_fragments"] = s.report.lostFragments;
@@ -213,6 +220,7 @@ std::string toTable(const RunStatistics& s) {
   std::string table;
   table += s.sceneFile + ", " + std::to_string(s.triangles) + " triangles, " + std::to_string(s.width) + "x" +
            std::to_string(s.height) + ", " + s.device.renderer + " (" + s.context + ")\n";
+  if (s.choice) table += "trace.method=auto: " + s.choice->method + ", " + s.choice->reason + "\n";
   if (s.samples > 1) table += std::to_string(s.samples) + " samples per pixel; times are of the whole picture\n";
   table += "GPU stage       median        min        max ms   runs";
   table += s.firstFrame ? "   (first frame; use --repeat N for warm frames)\n" : "\n";

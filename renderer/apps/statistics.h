@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <halfsilver/budget.h>
+#include <halfsilver/calibration.h>
 #include <halfsilver/io.h>
 #include <halfsilver/renderer.h>
 #include <halfsilver/settings.h>
@@ -60,6 +61,7 @@ struct RunStatistics {
   int samples = 1;     // per pixel; times are those of all
   FrameReport report;  // of the last frame
   std::optional<BudgetSummary> budget;
+  std::optional<MethodChoice> choice;  // if trace.method was auto
   std::vector<StageSummary> stages;
   bool firstFrame = false;  // the times are of the first frame, which compiles shaders and allocates memory
   int warmUpFrames = 0;

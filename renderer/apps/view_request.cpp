@@ -1,9 +1,11 @@
 #include "apps/view_request.h"
 
+#include <algorithm>
 #include <cstddef>
 
 #include <halfsilver/error.h>
 #include <halfsilver/io.h>
+#include <halfsilver/methods.h>
 
 namespace halfsilver {
 
@@ -54,6 +56,21 @@ Settings baseSettings(const ViewRequest& request) {
   Settings settings;
   if (!request.preset.empty()) applyPreset(settings, request.preset);
   if (!request.config.empty()) applySettingsFile(settings, request.config);
+  return settings;
+}
+
+Settings programSettings(const ViewRequest& request) {
+  Settings settings = baseSettings(request);
+  const auto ofStructure = [](const std::string& text) {
+    const std::string name = parseSetting(text).name;
+    const auto infos = methods();
+    return std::any_of(infos.begin(), infos.end(), [&name](const MethodInfo& info) {
+      return std::find(info.settings.begin(), info.settings.end(), name) != info.settings.end();
+    });
+  };
+  if (request.preset.empty() && request.config.empty() &&
+      std::none_of(request.set.begin(), request.set.end(), ofStructure))
+    settings.trace.method = "auto";
   return settings;
 }
 

@@ -49,6 +49,9 @@ ViewArguments checkView(const ViewRequest& request);
 
 // Defaults, then preset or file.
 Settings baseSettings(const ViewRequest& request);
+// The same with trace.method=auto if nothing says otherwise: neither a preset, nor a file, nor a setting of a method's
+// structure.
+Settings programSettings(const ViewRequest& request);
 // --set, then --bounces: what the user names individually comes last.
 void applyOverrides(Settings& settings, const ViewRequest& request);
 

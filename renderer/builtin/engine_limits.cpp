@@ -1,5 +1,7 @@
 #include <cmath>
+#include <span>
 
+#include <halfsilver/pose.h>
 #include "builtin/failure_stage.h"
 #include "builtin/random.h"
 #include "builtin/rig_parts.h"
@@ -54,6 +56,7 @@ Model makeFigures() {
     attach(model, root, figure, static_cast<int>(model.rig.skins.size()) - 1);
   }
   model.rig.animations.push_back(std::move(bow));
+  pose(model, std::span<const Playing>());  // at rest
   return model;
 }
 
@@ -63,15 +66,17 @@ Model makeRipples() {
   stage.floor();
   ball(stage, Stage::blue, {0.9, 0.3, 0.3}, 0.25);
   stage.build.use(Stage::moving).surface(64, 32, {1, 1}, [](double s, double t) {
-    return dvec3(-1.2 + 1.8 * s, 1.2 - 1.15 * t, -0.3);
+    const double x = -1.2 + 1.8 * s, y = 1.2 - 1.15 * t;
+    return dvec3(x, y, -0.3 + 0.06 * std::sin(9 * x + 4 * y));
   });
   return stage.finish();
 }
 
 void shapeRipples(std::span<Vertex> vertices, int frame) {
-  for (Vertex& vertex : vertices)
-    vertex.position.z +=
-        0.06f * std::sin(9.0f * vertex.position.x + 4.0f * vertex.position.y + 0.15f * static_cast<float>(frame));
+  for (Vertex& vertex : vertices) {
+    const float phase = 9.0f * vertex.position.x + 4.0f * vertex.position.y;
+    vertex.position.z += 0.06f * (std::sin(phase + 0.15f * static_cast<float>(frame)) - std::sin(phase));
+  }
 }
 
 Model makeCanopy() {
@@ -93,9 +98,11 @@ Model makeCanopy() {
 
 // The higher, the farther.
 void shapeCanopy(std::span<Vertex> vertices, int frame) {
-  for (Vertex& vertex : vertices)
+  for (Vertex& vertex : vertices) {
+    const float phase = 3.0f * vertex.position.z;
     vertex.position.x +=
-        0.03f * vertex.position.y * std::sin(0.2f * static_cast<float>(frame) + 3.0f * vertex.position.z);
+        0.03f * vertex.position.y * (std::sin(phase + 0.2f * static_cast<float>(frame)) - std::sin(phase));
+  }
 }
 
 // Three tinted panes behind one another, things before, between and behind them.

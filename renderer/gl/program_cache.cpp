@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -12,6 +11,8 @@
 #include <span>
 #include <system_error>
 #include <vector>
+
+#include <halfsilver/cache_folder.h>
 
 namespace halfsilver::gl {
 namespace {
@@ -42,18 +43,6 @@ std::uint64_t hashOf(std::span<const std::byte> bytes, std::uint64_t hash) {
     hash = mixed(hash, word);
   }
   return mixed(hash, bytes.size());
-}
-
-// Empty: programs are not kept.
-fs::path cacheFolder() {
-  const auto variable = [](const char* name) -> fs::path {
-    const char* value = std::getenv(name);
-    return value ? value : "";
-  };
-  if (std::getenv("HALFSILVER_CACHE")) return variable("HALFSILVER_CACHE");
-  const fs::path cache = variable("XDG_CACHE_HOME"), home = variable("HOME");
-  if (cache.is_absolute()) return cache / "halfsilver";  // others are to be ignored (XDG Base Directory)
-  return home.is_absolute() ? home / ".cache" / "halfsilver" : fs::path();
 }
 
 std::optional<std::vector<std::byte>> readFile(const fs::path& path) {

@@ -6,8 +6,7 @@
 #include <halfsilver/gl/api.h>
 
 // Linked programs on disk, as the driver gives them out (glGetProgramBinary), so that a program is compiled once for a
-// driver and not at each start. They lie in the folder that the environment names in HALFSILVER_CACHE (empty: nothing
-// is kept), otherwise in halfsilver/ of the user's cache folder ($XDG_CACHE_HOME or ~/.cache).
+// driver and not at each start. They lie in <halfsilver/cache_folder.h>.
 //
 // Nothing here fails: where there is no folder, where it cannot be written or read, where a file is damaged and where
 // the driver refuses what another one has made, programs are compiled.

@@ -22,8 +22,11 @@ const std::vector<Method>& table() {
       IdentityTracer::method(),
       BvhTracer::method(),
       ScreenTracer::method(),
-      {{.name = "exact", .help = "exact rays on the CPU (halfsilver::exact)"}, {}},
-      {{.name = "auto", .help = "exact on a software rasterizer, otherwise identity"}, {}},
+      {{.name = "exact", .help = "exact rays on the CPU (halfsilver::exact)", .exact = true}, {}},
+      {{.name = "auto",
+        .help = "the fastest of those without errors, see <halfsilver/calibration.h>; a renderer takes exact on a "
+                "software rasterizer, otherwise identity"},
+       {}},
   };
   return rows;
 }
@@ -64,6 +67,11 @@ std::unique_ptr<Tracer> makeTracer(const gl::Api& api, const Settings& settings,
   if (!method.make)
     throw Error(ErrorKind::usage, "trace.method=" + method.info.name + " needs a tracer that the caller brings");
   return method.make(api, settings);
+}
+
+bool hasTracer(std::string_view method, std::span<const Method> brought) {
+  const Method *ours = find(table(), method), *theirs = find(brought, method);
+  return (theirs && theirs->make) || (ours && ours->make);
 }
 
 bool sameTracer(const gl::Api& api, const Settings& a, const Settings& b, std::span<const Method> brought) {

@@ -17,8 +17,8 @@ namespace {
 namespace fs = std::filesystem;
 
 // A room below renderer/, or of bench/, with the rooms that it may include besides itself. Whatever is not named is
-// forbidden: upward edges and sisters. "settings", "renderer" and "budget" are settings.* and so on, "shared" is
-// shaders/shared, "bench" is bench/main.cpp.
+// forbidden: upward edges and sisters. "settings", "renderer", "budget" and "calibration" are settings.* and so on,
+// "shared" is shaders/shared, "bench" is bench/main.cpp.
 const std::map<std::string, std::set<std::string>> kMayInclude = {
     {"core", {}},
     {"settings", {"core"}},
@@ -32,9 +32,11 @@ const std::map<std::string, std::set<std::string>> kMayInclude = {
     {"renderer", {"core", "scene", "gl", "frame", "settings", "shared", "passes", "tracing", "effects"}},
     {"context", {"core"}},
     {"budget", {"frame", "settings", "shared", "renderer"}},
+    {"calibration", {"core", "scene", "settings", "renderer"}},
     {"io", {"core", "scene", "settings"}},
     {"exact", {"core", "scene", "gl", "frame", "settings", "shared", "tracing"}},
-    {"apps", {"core", "scene", "builtin", "settings", "renderer", "budget", "context", "io", "exact", "gl"}},
+    {"apps",
+     {"core", "scene", "builtin", "settings", "renderer", "budget", "calibration", "context", "io", "exact", "gl"}},
     {"bench/report", {"core", "io", "apps"}},
     {"bench/harness", {"core", "scene", "settings", "renderer", "context", "io", "apps", "gl"}},
     {"bench/modes",
@@ -48,6 +50,8 @@ const std::map<std::string, std::string> kPublicHeaders = {
     {"bounds.h", "core"},
     {"budget.h", "budget"},
     {"builtin.h", "builtin"},
+    {"cache_folder.h", "core"},
+    {"calibration.h", "calibration"},
     {"context.h", "context"},
     {"draw_clusters.h", "scene"},
     {"error.h", "core"},
@@ -119,7 +123,7 @@ std::string room(const fs::path& path) {
   if (first != path) return kMayInclude.contains(first) || first == "shared" ? first : "";
   const std::string stem = path.stem().string();
   if (stem == "frame_record" || stem == "picture" || stem.starts_with("renderer_")) return "renderer";
-  return stem == "settings" || stem == "renderer" || stem == "budget" ? stem : "";
+  return stem == "settings" || stem == "renderer" || stem == "budget" || stem == "calibration" ? stem : "";
 }
 
 bool isPublic(const fs::path& file) { return file.generic_string().rfind("include/", 0) == 0; }

@@ -84,8 +84,7 @@ std::unique_ptr<Play> makePlay(const Request& request) {
 
 Options firstOptions(const Request& request) {
   Options options;
-  options.settings.trace.method = "auto";
-  if (!request.view.preset.empty() || !request.view.config.empty()) options.settings = baseSettings(request.view);
+  options.settings = programSettings(request.view);
   applyOverrides(options.settings, request.view);
   options.other = options.settings;
   options.other.trace.method = options.settings.trace.method == "identity" ? "none" : "identity";

@@ -27,7 +27,7 @@ struct SlowMove {
   glm::vec3 object{0};  // how far everything of the material "moving" moves, in meters
   float growth = 1;     // factor by which the same grows about its center
   double seconds = 0;   // of the scene's animations, which all play
-  // Moves vertices of the same, which are as they are at rest, to a frame; null: nothing.
+  // Moves vertices of the same, which are as they are at rest (frame 0), to a frame; null: nothing.
   void (*shape)(std::span<Vertex> vertices, int frame) = nullptr;
 };
 

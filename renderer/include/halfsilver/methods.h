@@ -31,6 +31,7 @@ struct MethodInfo {
   bool fixedResolution = false;
   std::string preset = {};       // where tuning starts; empty: there is nothing to tune
   std::vector<Knob> knobs = {};  // what tuning varies
+  bool exact = false;            // its hits are those of exact rays: trace.method=auto may choose it
 };
 
 // Makes the tracer of one method.

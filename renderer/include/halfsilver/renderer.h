@@ -61,6 +61,9 @@ class Renderer {
   // and all other state as it happens to be.
   void restoreState(bool restores);
 
+  // Whether it has a tracer of that method: its own, or one that was brought.
+  bool traces(std::string_view method) const;
+
   // Uploads the whole scene; the caller's copy is not kept.
   void setScene(const Scene& scene);
   // Uploads what changed since setScene(): moved vertices, lights, the sky or the values of materials. Triangles, the

@@ -85,8 +85,11 @@ class Tracer {
 
 // The tracer that the settings name; null for "none". Methods that the caller brings (see Renderer) come before those
 // of the table. Throws Error (usage) for a method that needs the caller's tracer but was not brought, such as "exact".
-// "auto" is "exact" on a software rasterizer if that is brought, else "identity".
+// "auto" is "exact" on a software rasterizer if that is brought, else "identity"; <halfsilver/calibration.h> measures.
 std::unique_ptr<Tracer> makeTracer(const gl::Api& api, const Settings& settings, std::span<const Method> brought);
+
+// Whether makeTracer() knows how to make a tracer of that method.
+bool hasTracer(std::string_view method, std::span<const Method> brought);
 
 // Whether makeTracer() makes the same of both settings, so that a tracer and its structure can stay.
 bool sameTracer(const gl::Api& api, const Settings& a, const Settings& b, std::span<const Method> brought);

@@ -23,7 +23,8 @@ void replace(const gl::Api& api, std::size_t bytes, const char* label, gl::Buffe
 Method BvhTracer::method() {
   return {{.name = "bvh",
            .help = "hierarchy of boxes built on the CPU, exact test",
-           .settings = {"trace.stage", "trace.count_work"}},
+           .settings = {"trace.stage", "trace.count_work"},
+           .exact = true},
           [](const gl::Api& api, const Settings& settings) { return std::make_unique<BvhTracer>(api, settings); }};
 }
 

@@ -29,7 +29,8 @@ Method IdentityTracer::method() {
            .settings = {"voxels.resolution", "voxels.per_triangle", "voxels.axis", "abuffer.keep", "trace.stage",
                         "trace.count_work"},
            .preset = "halfsilver",
-           .knobs = {{"voxels.per_triangle", {"2", "4", "8", "16", "32", "64"}}}},
+           .knobs = {{"voxels.per_triangle", {"2", "4", "8", "16", "32", "64"}}},
+           .exact = true},
           [](const gl::Api& api, const Settings& settings) { return std::make_unique<IdentityTracer>(api, settings); }};
 }
 
