@@ -181,6 +181,7 @@ void renderPicture(const RenderRequest& request, const ViewArguments& arguments,
   Outputs outputs(request.outputs);
   progress.show("loading " + request.view.scene);
   PosedView view = loadView(request.view, arguments);
+  keepOriginNear(view, arguments.camera);
   const Camera camera = chooseCamera(view, arguments.camera);
   clock.lap("load");
   RenderJob job(request.view, arguments, settings, std::move(view), progress, clock);

@@ -109,7 +109,7 @@ void renderSequence(const SequenceRequest& request, Progress& progress, WallCloc
   const std::vector<int> animations = chooseAnimations(request.view, loaded.model);
   const auto timeOf = [&](int frame) { return frame / request.range.framesPerSecond; };
   poseView(loaded, animations, timeOf(frames.front()), request.view.loop);
-  static_cast<void>(chooseCamera(loaded, request.arguments.camera));  // an unknown one is found out before the rest
+  keepOriginNear(loaded, request.arguments.camera);  // an unknown one is found out before the rest
   clock.lap("load");
   Settings settings = request.settings;
   settings.image.motion = settings.image.motion || !request.outputs.layers.empty();
@@ -118,7 +118,10 @@ void renderSequence(const SequenceRequest& request, Progress& progress, WallCloc
   // Motion is that since the frame before: if that one was not drawn, it is drawn now and not kept.
   const auto draw = [&](int frame, int samples, FrameReport& report) {
     poseView(job.view, animations, timeOf(frame), request.view.loop);
-    job.renderer.pose(*job.view.state);
+    if (keepOriginNear(job.view, request.arguments.camera))
+      show(job.view, job.renderer);
+    else
+      job.renderer.pose(*job.view.state);
     return drawFirstFrame(job.renderer, chooseCamera(job.view, request.arguments.camera), settings, job.target.target(),
                           report, samples);
   };

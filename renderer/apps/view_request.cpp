@@ -1,6 +1,7 @@
 #include "apps/view_request.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 #include <halfsilver/error.h>
@@ -122,6 +123,22 @@ Camera chooseCamera(const PosedView& view, const CameraRequest& request) {
   if (view.state)
     for (std::size_t i = 0; i < cameras.size(); ++i) cameras[i] = posedCamera(view.model, *view.state, i);
   return chooseCamera(cameras, view.bounds, view.model.scene.origin, request);
+}
+
+bool keepOriginNear(PosedView& view, const CameraRequest& request) {
+  constexpr double kFar = 32;  // sizes of the scene at rest, as where a file's origin is chosen
+  if (!view.state) return false;
+  const double size = static_cast<double>(view.model.scene.bounds().diagonal());
+  const Camera camera = chooseCamera(view, request);
+  if (!(size > 0) || glm::length(glm::dvec3(camera.eye)) <= kFar * size) return false;
+  const glm::dvec3 eye = view.model.scene.origin + glm::dvec3(camera.eye);
+  const std::optional<glm::dvec3> near = nearestPosed(view.model, *view.state, eye);
+  if (!near || glm::distance(*near, view.model.scene.origin) <= kFar * size) return false;
+  const double step = std::exp2(std::ceil(std::log2(size)));
+  moveOrigin(view.model, glm::round(*near / step) * step);
+  view.animated = animatedBounds(view.model);
+  view.bounds = view.animated->all;
+  return true;
 }
 
 void show(const PosedView& view, Renderer& renderer) {

@@ -76,6 +76,10 @@ Camera chooseCamera(const PosedView& view, const CameraRequest& request);
 // Poses it as the animations do at a time, beyond their ends in another loop or at the last pose.
 void poseView(PosedView& view, std::span<const int> animations, double seconds, bool loop);
 
+// If the camera has gone far from the origin with what it shows, puts the origin there: floats would show otherwise.
+// Returns whether it did, and the scene has to be shown again.
+bool keepOriginNear(PosedView& view, const CameraRequest& request);
+
 // Uploads the scene. It is posed on the GPU, or where scene.posing says.
 void show(const PosedView& view, Renderer& renderer);
 

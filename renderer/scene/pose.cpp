@@ -381,6 +381,36 @@ SceneChange pose(Model& model, const PoseState& state) {
   return change;
 }
 
+void moveOrigin(Model& model, const glm::dvec3& origin) {
+  Scene& scene = model.scene;
+  const glm::dvec3 shift = scene.origin - origin;
+  const auto shifted = [&shift](const glm::vec3& position) { return glm::vec3(glm::dvec3(position) + shift); };
+  for (Vertex& vertex : scene.vertices) vertex.position = shifted(vertex.position);
+  for (Light& light : scene.lights) light.position = shifted(light.position);
+  for (Camera& camera : scene.cameras) {
+    camera.eye = shifted(camera.eye);
+    camera.target = shifted(camera.target);
+  }
+  scene.origin = origin;
+  pose(model, std::span<const Playing>());
+}
+
+std::optional<glm::dvec3> nearestPosed(const Model& model, const PoseState& state, const glm::dvec3& point) {
+  std::optional<glm::dvec3> nearest;
+  for (const Instance& instance : model.rig.instances) {
+    const std::vector<glm::dvec3> positions = worldPositions(model.rig, instance, state);
+    if (positions.empty()) continue;
+    glm::dvec3 low = positions.front(), high = low;
+    for (const glm::dvec3& position : positions) {
+      low = glm::min(low, position);
+      high = glm::max(high, position);
+    }
+    const glm::dvec3 candidate = glm::clamp(point, low, high);
+    if (!nearest || glm::distance(candidate, point) < glm::distance(*nearest, point)) nearest = candidate;
+  }
+  return nearest;
+}
+
 SceneChange pose(Model& model, std::span<const Playing> playing) { return pose(model, evaluate(model.rig, playing)); }
 
 }  // namespace halfsilver

@@ -282,5 +282,56 @@ TEST(Motion, WrongSequencesAreRefusedInOneLine) {
   EXPECT_TRUE(filesIn(folder).empty());
 }
 
+// Two triangles and the camera before them travel 6,400 km in ten seconds; a third stays behind.
+std::string writeTraveler(const TemporaryFolder& folder) {
+  const float numbers[] = {-1, -1, 0, 1, -1, 0, 0, 1, 0, 0, 10, 0, 0, 0, 6.4e6f, 1.25f, -7};
+  std::ofstream(folder / "far.bin", std::ios::binary)
+      .write(reinterpret_cast<const char*>(numbers), static_cast<std::streamsize>(sizeof(numbers)));
+  std::ofstream(folder / "far.gltf") << R"({
+    "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0, 3]}],
+    "nodes": [{"mesh": 0, "children": [1, 2]}, {"camera": 0, "translation": [0, 0, 4]},
+              {"mesh": 0, "translation": [0.6, 0.3, -2], "rotation": [0, 0, 0.3826834, 0.9238795]},
+              {"mesh": 0, "translation": [0, 0, -9]}],
+    "cameras": [{"type": "perspective", "perspective": {"yfov": 0.8, "znear": 0.1}}],
+    "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+    "buffers": [{"uri": "far.bin", "byteLength": 68}],
+    "bufferViews": [{"buffer": 0, "byteLength": 36}, {"buffer": 0, "byteOffset": 36, "byteLength": 8},
+                    {"buffer": 0, "byteOffset": 44, "byteLength": 24}],
+    "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3",
+                   "min": [-1, -1, 0], "max": [1, 1, 0]},
+                  {"bufferView": 1, "componentType": 5126, "count": 2, "type": "SCALAR", "min": [0], "max": [10]},
+                  {"bufferView": 2, "componentType": 5126, "count": 2, "type": "VEC3"}],
+    "animations": [{"samplers": [{"input": 1, "output": 2}],
+                    "channels": [{"sampler": 0, "target": {"node": 0, "path": "translation"}}]}]})";
+  return (folder / "far.gltf").string();
+}
+
+TEST(Motion, WhatTravelsFarWithItsCameraKeepsItsShape) {
+  const TemporaryFolder folder;
+  const std::string scene = writeTraveler(folder);
+  for (const std::string& posing : kPosings) {
+    SCOPED_TRACE(posing);
+    const std::vector<Image> frames = framesOf(scene, posing + "--frames 1..9 --fps 1");
+    ASSERT_EQ(frames.size(), 9u);
+    // One second later all that stayed behind is out of sight.
+    const std::vector<float> first = planeOf(frames.front(), "depth.Z");
+    EXPECT_GT(std::count_if(first.begin(), first.end(), [](float depth) { return depth > 3.9f; }), 5000);
+    for (const Image& frame : frames) {
+      const std::vector<float> depth = planeOf(frame, "depth.Z");
+      std::size_t unlike = 0;
+      for (std::size_t i = 0; i < depth.size(); ++i) unlike += std::abs(depth[i] - first[i]) > 1e-4f;
+      EXPECT_LE(unlike, 4u);  // centers on an edge
+    }
+  }
+  const ProgramResult still = runProgramIn(
+      folder, "render " + scene + " --preset deferred --size 320x180 --time 7.7 " + "-o a.png --layers a.exr");
+  ASSERT_EQ(still.exitCode, 0) << still.err;
+  const std::vector<float> depth = planeOf(readImage(folder / "a.exr").image, "depth.Z"),
+                           first = planeOf(framesOf(scene, "--frames 1..1 --fps 1").front(), "depth.Z");
+  std::size_t unlike = 0;
+  for (std::size_t i = 0; i < depth.size(); ++i) unlike += std::abs(depth[i] - first[i]) > 1e-4f;
+  EXPECT_LE(unlike, 4u);
+}
+
 }  // namespace
 }  // namespace halfsilver

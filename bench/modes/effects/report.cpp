@@ -77,10 +77,14 @@ Table effectsCsv(EffectPoints points) {
 
 ScatterGrid effectsChart(EffectPoints points) {
   const std::vector<std::string> effects = namesOf(points, &EffectPoint::effect);
-  ScatterGrid grid{2, {{}, {}}, {}};
-  for (std::size_t i = 0; i < effects.size(); ++i) grid.legend[0].push_back({0, 0, 1, i, false, false, effects[i]});
-  grid.legend[1].push_back({0, 0, 1, kNeutralColor, false, false, "default method"});
-  grid.legend[1].push_back({0, 0, 1, kNeutralColor, true, false, "exact rays, CPU"});
+  constexpr std::size_t kPerRow = 4;
+  ScatterGrid grid{2, {}, {}};
+  for (std::size_t i = 0; i < effects.size(); ++i) {
+    if (i % kPerRow == 0) grid.legend.emplace_back();
+    grid.legend.back().push_back({0, 0, 1, i, false, false, effects[i]});
+  }
+  grid.legend.push_back({{0, 0, 1, kNeutralColor, false, false, "default method"},
+                         {0, 0, 1, kNeutralColor, true, false, "exact rays, CPU"}});
   for (const EffectPoint& point : points) {
     if (grid.panels.empty() || grid.panels.back().title != point.scene.file)
       grid.panels.push_back({point.scene.file, "frame, ms", "error (RMSE)", {}, {}});

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <glm/glm.hpp>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -44,6 +45,14 @@ std::vector<int> compatibleAnimations(const Rig& rig);
 // Throws Error (badInput) if vertices leave the range of floats.
 SceneChange pose(Model& model, const PoseState& state);
 SceneChange pose(Model& model, std::span<const Playing> playing);
+
+// Gives the relative coordinates of a model at rest another zero, in world units: what hangs on nodes is placed anew in
+// double precision, the rest is shifted.
+void moveOrigin(Model& model, const glm::dvec3& origin);
+
+// The point of what is drawn in a pose that is nearest to a point, in world units: of the boxes of the instances.
+// Nothing if there are none.
+std::optional<glm::dvec3> nearestPosed(const Model& model, const PoseState& state, const glm::dvec3& point);
 
 // Boxes of all that a model's animations make of it, one at a time and together, relative to Scene::origin. Poses
 // between the sampled ones may leave them by a little, poses of the caller's own by much.
