@@ -1,6 +1,7 @@
 #include "tracing/identity/run_builder.h"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 #include <vector>
 
@@ -29,6 +30,13 @@ gl::Buffer movedVertices(const gl::Api& api, std::span<const VertexRange> ranges
   return gl::makeBuffer<GLuint>(api, words, "moved vertices");
 }
 
+// BuildStep of tracing/identity/build_step.glsl.
+struct BuildStep {
+  GLint secondStep, ownAxis;
+};
+
+const std::array kBuildDefines{gl::Define{"BUILD_STEP", std::to_string(UBO_BUILD_STEP)}};
+
 }  // namespace
 
 RunBuilder::RunBuilder(const gl::Api& api)
@@ -41,15 +49,17 @@ RunBuilder::RunBuilder(const gl::Api& api)
       sizeRuns_(gl::Program::compute(api, "tracing/identity/size_runs.comp")),
       placeRuns_(gl::Program::compute(api, "tracing/identity/place_runs.comp")),
       finishBricks_(gl::Program::compute(api, "tracing/identity/finish_bricks.comp")),
-      build_(makeVisit(api, "build")),
-      buildPaired_(gl::Program::compute(api, "tracing/identity/build_paired.comp")),
+      build_(makeVisit(api, "build", kBuildDefines)),
+      buildPaired_(gl::Program::compute(api, "tracing/identity/build_paired.comp", kBuildDefines)),
+      step_(api, sizeof(BuildStep), "step of a build"),
       counters_(api),
       triangles_(api) {}
 
-RunBuilder::Visit RunBuilder::makeVisit(const gl::Api& api, const std::string& name) {
+RunBuilder::Visit RunBuilder::makeVisit(const gl::Api& api, const std::string& name,
+                                        std::span<const gl::Define> defines) {
   const std::string path = "tracing/identity/" + name;
-  return {gl::Program::compute(api, path + "_small.comp"),
-          gl::Program::raster(api, "tracing/common/large_triangles.vert", path + ".frag")};
+  return {gl::Program::compute(api, path + "_small.comp", defines),
+          gl::Program::raster(api, "tracing/common/large_triangles.vert", path + ".frag", defines)};
 }
 
 void RunBuilder::measure(const GpuScene& scene, const RunStore& store) {
@@ -107,6 +117,7 @@ void RunBuilder::buildRequested(const GpuScene& scene, const RunStore& store) {
   visitBuilds(true, scene, store);
   store.grid().apply(finishBricks_);
   store.entryLayout().apply(finishBricks_);
+  finishBricks_.set("triangleCount", scene.triangleCount);
   scene.bindTriangles();
   dispatchForBuilds(finishBricks_, offsetof(shared::BrickWork, groupsPerBuildX), store);
 }
@@ -122,15 +133,14 @@ void RunBuilder::dispatchForBuilds(const gl::Program& program, std::size_t argum
   api_->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
 }
 
-void RunBuilder::visitBuilds(bool secondStep, const GpuScene& scene, const RunStore& store) const {
-  for (const gl::Program* program : {&build_.small, &build_.large, &buildPaired_}) {
-    program->set("secondStep", secondStep ? 1 : 0);
-    store.entryLayout().apply(*program);
-  }
+void RunBuilder::visitBuilds(bool secondStep, const GpuScene& scene, const RunStore& store) {
+  const BuildStep step{secondStep ? 1 : 0, store.ownAxis() ? 1 : 0};
+  step_.write(0, &step, sizeof(step));
+  step_.bindUniform(UBO_BUILD_STEP);
+  for (const gl::Program* program : {&build_.small, &build_.large, &buildPaired_}) store.entryLayout().apply(*program);
   brickBuilds_.bindStorage(SSBO_BRICK_BUILDS);
   visit(build_, store.grid(), scene, store);
   store.grid().apply(buildPaired_);
-  buildPaired_.set("ownAxis", store.ownAxis() ? 1 : 0);
   dispatchForBuilds(buildPaired_, offsetof(shared::BrickWork, pairGroupsX), store);
 }
 

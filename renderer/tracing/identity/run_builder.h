@@ -46,11 +46,11 @@ class RunBuilder {
   struct Visit {
     gl::Program small, large;
   };
-  static Visit makeVisit(const gl::Api& api, const std::string& name);
+  static Visit makeVisit(const gl::Api& api, const std::string& name, std::span<const gl::Define> defines = {});
 
   void measure(std::size_t blocks, const GpuScene& scene, const RunStore& store) const;
   void visit(const Visit& programs, const Grid& grid, const GpuScene& scene, const RunStore& store) const;
-  void visitBuilds(bool secondStep, const GpuScene& scene, const RunStore& store) const;
+  void visitBuilds(bool secondStep, const GpuScene& scene, const RunStore& store);
   void dispatchForBuilds(const gl::Program& program, std::size_t arguments, const RunStore& store) const;
 
   const gl::Api* api_;
@@ -60,6 +60,7 @@ class RunBuilder {
   gl::Program buildPaired_;                 // large triangles in the few bricks of a small build
   gl::Program collectMoved_, giveUpMoved_;  // made with the first move
   Visit markMoved_;                         // likewise
+  gl::Buffer step_;                         // BuildStep
   BuildCounters counters_;
   ListedTriangles triangles_;
   gl::Buffer brickBuilds_;

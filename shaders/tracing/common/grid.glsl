@@ -5,7 +5,10 @@ uniform vec3 gridInverse;     // 1 / extent
 uniform ivec3 voxelCount;     // along each axis
 uniform int bufferResolution;  // texels along each axis, if the A-buffers have a raster of their own
 
-vec3 toGrid(vec3 position) { return (position - gridLow) * gridInverse; }
+vec3 toGrid(vec3 position) {
+  precise vec3 place = (position - gridLow) * gridInverse;
+  return place;
+}
 
 // Cyclic permutation that puts axis a last: (b, c, a).
 vec3 permute(vec3 v, int axis) { return axis == 0 ? v.yzx : (axis == 1 ? v.zxy : v.xyz); }

@@ -4,6 +4,7 @@
 
 layout(location = 0) flat out uint outTriangle;
 layout(location = 1) flat out int outAxis;
+invariant gl_Position;  // for both steps of a build
 
 void main() {
   outTriangle = listedTriangles[placeOfLarge(uint(gl_VertexID) / 6u)];

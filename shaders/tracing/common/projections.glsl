@@ -1,8 +1,14 @@
+// `precise`, here and in the tests of texels: what a build counts it has to find again when it stores.
+//
 // The projections in which a triangle is rasterized: along its own dominant axis, or along all three.
 #include "tracing/common/grid.glsl"
 #include "tracing/common/triangle_normal.glsl"
 
+#ifdef BUILD_STEP
+#include "tracing/identity/build_step.glsl"
+#else
 uniform int ownAxis;  // 1: each triangle in its own dominant axis
+#endif
 
 // A triangle seen along an axis, which is the last component.
 struct ProjectedTriangle {
@@ -14,7 +20,8 @@ int projectionCount() { return ownAxis == 1 ? 1 : 3; }
 
 // In world space: `a`, `b`, `c`.
 ProjectedTriangle projectAlong(vec3 a, vec3 b, vec3 c, int axis) {
-  return ProjectedTriangle(permute(toGrid(a), axis), permute(toGrid(b), axis), permute(toGrid(c), axis), axis);
+  precise vec3 pa = permute(toGrid(a), axis), pb = permute(toGrid(b), axis), pc = permute(toGrid(c), axis);
+  return ProjectedTriangle(pa, pb, pc, axis);
 }
 
 // One of a triangle's projections.

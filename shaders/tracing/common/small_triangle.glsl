@@ -13,8 +13,8 @@ struct TexelBox {
 TexelBox texelBox(ProjectedTriangle t) {
   ivec2 texels = permutedVoxels(t.axis).xy;
   float reach = overlapSlack + coordinateError;
-  vec2 low = min(t.a.xy, min(t.b.xy, t.c.xy)) * vec2(texels) - reach;
-  vec2 high = max(t.a.xy, max(t.b.xy, t.c.xy)) * vec2(texels) + reach;
+  precise vec2 low = min(t.a.xy, min(t.b.xy, t.c.xy)) * vec2(texels) - reach;
+  precise vec2 high = max(t.a.xy, max(t.b.xy, t.c.xy)) * vec2(texels) + reach;
   ivec2 first = clamp(ivec2(floor(low)), ivec2(0), texels - 1);
   ivec2 last = clamp(ivec2(floor(high)), ivec2(0), texels - 1);
   return TexelBox(first, last - first + 1);

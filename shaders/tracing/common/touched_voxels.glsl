@@ -13,8 +13,9 @@ ivec2 touchedDepths(ProjectedTriangle t, ivec2 texel) {
   vec2 depths;
   bool touches = texel.x < voxels.x && texel.y < voxels.y &&
                  touchesTexel(t.a, t.b, t.c, texel, vec2(voxels.xy), depths);
-  int first = clamp(int(floor(depths.x * float(voxels.z) - overlapSlack)), 0, voxels.z - 1);
-  int last = touches ? clamp(int(floor(depths.y * float(voxels.z) + overlapSlack)), 0, voxels.z - 1) : -1;
+  precise vec2 range = depths * float(voxels.z) + vec2(-overlapSlack, overlapSlack);
+  int first = clamp(int(floor(range.x)), 0, voxels.z - 1);
+  int last = touches ? clamp(int(floor(range.y)), 0, voxels.z - 1) : -1;
   return ivec2(first, last);
 }
 

@@ -1,5 +1,6 @@
-// Entries of the lists of requested bricks: counted, then stored. Both steps are one program, so that they see the same
-// voxels whatever the compiler makes of the arithmetic.
+// Entries of the lists of requested bricks: counted, then stored. Both steps are one program of exact arithmetic, so that
+// they see the same voxels. Should they not, an entry that was not counted is dropped: it would be in another list's
+// place, or in another run's.
 #define RUN_ACCESS
 #include "shared/passes/identity.h"
 #include "shared/tracing.h"
@@ -10,8 +11,6 @@
 #include "tracing/identity/bricks.glsl"
 #include "tracing/identity/entry.glsl"
 
-uniform int secondStep;
-
 uint voxelsVisited = 0u, entriesAdded = 0u;  // by this invocation
 
 // Of a triangle, seen along `axis`, in the list of a voxel that it touches.
@@ -21,9 +20,13 @@ void addEntry(ivec3 voxel, uint triangle, int axis) {
   // In the A-buffer of the brick's axis only. With own axes that is the axis in which the triangle is drawn.
   bool inPlace = ownAxis == 1 || (voxelMaskAt(brick) & (1u << uint(axis))) != 0u;
   if (!inPlace || !requested(state)) return;
-  uint place = atomicAdd(builds[state - BRICK_REQUESTED].next[voxelInBrick(voxel)], 1u);
-  // The box comes later, for which the voxel holds the place: few of the voxels visited have a list to be filled.
-  if (secondStep == 1) runs[place] = packEntry(triangle, boxSlices > 0 ? voxelInBrick(voxel) : 0u);
+  uint build = state - BRICK_REQUESTED, place = atomicAdd(builds[build].next[voxelInBrick(voxel)], 1u);
+  if (secondStep == 1) {
+    int side;
+    if (place >= listOf(builds[build].run, voxel, side).y) return;
+    // The box comes later, for which the voxel holds the place: few of the voxels visited have a list to be filled.
+    runs[place] = packEntry(triangle, boxSlices > 0 ? voxelInBrick(voxel) : 0u);
+  }
   ++entriesAdded;
 }
 
