@@ -16,7 +16,7 @@ if(CMAKE_SCRIPT_MODE_FILE)
 namespace halfsilver {
 namespace {
 
-constexpr PresetFile kFiles[] = {
+const PresetFile kFiles[] = {
 ${entries}};
 
 }  // namespace

@@ -16,7 +16,7 @@ if(CMAKE_SCRIPT_MODE_FILE)
 namespace halfsilver::gl {
 namespace {
 
-constexpr ShaderFile kFiles[] = {
+const ShaderFile kFiles[] = {
 ${entries}};
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace {
 
 using Corners = std::array<std::uint32_t, 3>;
 
-constexpr int kTriangles = 4, kStrip = 5, kFan = 6;
+constexpr int kTriangles = 4, kFan = 6;  // between them strips
 
 template <class Vector>
 Vector element(const Floats& floats, std::size_t index, Vector value = Vector(0)) {

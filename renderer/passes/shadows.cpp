@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 
 #include "gl/draw_state.h"
@@ -187,7 +188,7 @@ void ShadowPass::drawOpaque(const GpuScene& scene, const ShadowView& view, const
   if (runs.firsts.empty()) return;
   std::vector<const void*> offsets;  // into the bound indices, as GL wants them
   for (const std::int32_t first : runs.firsts)
-    offsets.push_back(static_cast<const char*>(nullptr) + sizeof(GLuint) * static_cast<std::size_t>(first));
+    offsets.push_back(reinterpret_cast<const void*>(sizeof(GLuint) * static_cast<std::uintptr_t>(first)));
   opaque_.use();
   opaque_.set("worldToClip", view.worldToClip);
   scene.bindTriangles();
