@@ -84,6 +84,7 @@ struct Renderer::Impl {
   std::size_t takeRecord();
   bool keepsWork() const;
   std::vector<shared::RayWork> readWork();
+  std::vector<std::vector<std::uint32_t>> readAnswers() const;
   void useTracer(const Settings& wanted);
   void useEffect(Effect wanted);
   bool blends(const Settings& wanted) const;

@@ -22,6 +22,18 @@ std::vector<shared::RayWork> Renderer::Impl::readWork() {
   return work.read<shared::RayWork>(std::min<std::size_t>(rays, work.bytes() / sizeof(shared::RayWork)));
 }
 
+// Who has answered the first rays, batch by batch; nothing if the method does not say so.
+std::vector<std::vector<std::uint32_t>> Renderer::Impl::readAnswers() const {
+  std::vector<std::vector<std::uint32_t>> all;
+  if (!tracer) return all;
+  for (const RayBatch& batch : frames[*shown].batches) {
+    const gl::Buffer* answers = tracer->answers(batch.rays);
+    if (!answers) return {};
+    all.push_back(answers->read<std::uint32_t>(batch.rays.count.read<shared::RayCount>(1)[0].count));
+  }
+  return all;
+}
+
 Image Renderer::readLayers() const {
   Impl& r = *impl_;
   if (!r.shown)
@@ -39,7 +51,7 @@ Image Renderer::readLayers() const {
   r.api.MemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
   if (!r.rayReader) r.rayReader.emplace(r.api);
   const std::vector<shared::RayWork> work = r.reported && r.keepsWork() ? r.readWork() : std::vector<shared::RayWork>();
-  return assembleLayers(r.viewOf(frame, untimed), linear, frame.batches, work, *r.rayReader);
+  return assembleLayers(r.viewOf(frame, untimed), linear, frame.batches, work, r.readAnswers(), *r.rayReader);
 }
 
 std::optional<Picked> Renderer::pick(int x, int y) const {

@@ -61,7 +61,9 @@ double coverage(const FrameReport& report) {
 }
 
 // Names of FrameReport::rays, of the kinds that there are.
-constexpr std::array kRayKinds{"reflection", "refraction", "shadow", "occlusion", "scattered", "through"};
+constexpr std::array kRayKinds{"reflection", "refraction", "shadow",    "occlusion",
+                               "scattered",  "through",    "by_screen", "by_structure"};
+constexpr std::size_t kByScreen = 6, kByStructure = 7;  // who has answered, of trace.method=screen-first
 
 // null: no such limit was given.
 Json budgetJson(const BudgetSummary& budget) {
@@ -232,6 +234,10 @@ std::string toTable(const RunStatistics& s) {
   }
   table += format("coverage    %.2f %% of the pixels traced (%llu of %llu)\n", 100 * coverage(s.report),
                   static_cast<unsigned long long>(s.report.selected), static_cast<unsigned long long>(s.report.pixels));
+  const std::uint64_t byScreen = s.report.rays[kByScreen], byStructure = s.report.rays[kByStructure];
+  if (byScreen + byStructure > 0)
+    table += format("answered    %.2f %% of the rays by the screen, the others by the structure\n",
+                    100 * static_cast<double>(byScreen) / static_cast<double>(byScreen + byStructure));
   if (s.budget) table += budgetLine(*s.budget, s.report);
   table += "memory      structure " + megabytes(memory.structureTotal) + " (voxels " + megabytes(memory.voxels) +
            ", heads " + megabytes(memory.heads) + ", pool " + megabytes(memory.poolUsed) + " used of " +

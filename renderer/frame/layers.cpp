@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <initializer_list>
 #include <optional>
 #include <span>
 #include <vector>
@@ -98,16 +99,17 @@ void addHits(Image& image, const FrameView& view, const RayBatch& batch, std::sp
   }
 }
 
-// With two more channels, two values per pixel.
-Image withChannels(const Image& image, const char* first, const char* second, std::span<const glm::vec2> values) {
-  const std::size_t before = image.channels.size();
+// With more channels; a pixel's values lie side by side.
+Image withChannels(const Image& image, std::initializer_list<const char*> names, std::span<const float> values) {
+  const std::size_t before = image.channels.size(), more = names.size();
   Image result{image.width, image.height, image.channels, {}};
-  result.channels.insert(result.channels.end(), {first, second});
-  result.data.reserve(image.pixelCount() * (before + 2));
+  result.channels.insert(result.channels.end(), names.begin(), names.end());
+  result.data.reserve(image.pixelCount() * (before + more));
   for (std::size_t pixel = 0; pixel < image.pixelCount(); ++pixel) {
     const auto present = image.data.begin() + static_cast<std::ptrdiff_t>(pixel * before);
     result.data.insert(result.data.end(), present, present + static_cast<std::ptrdiff_t>(before));
-    result.data.insert(result.data.end(), {values[pixel].x, values[pixel].y});
+    const std::span<const float> added = values.subspan(pixel * more, more);
+    result.data.insert(result.data.end(), added.begin(), added.end());
   }
   return result;
 }
@@ -120,24 +122,42 @@ std::size_t fromTop(const Image& image, std::size_t pixel) {
 
 // Down is positive.
 Image withMotion(const Image& image, const gl::Texture& motion) {
-  std::vector<glm::vec2> texels(image.pixelCount()), values(image.pixelCount());
+  std::vector<glm::vec2> texels(image.pixelCount());
+  std::vector<float> values(2 * image.pixelCount());
   motion.read(GL_RG, GL_FLOAT, texels.size() * sizeof(glm::vec2), texels.data());
-  for (std::size_t pixel = 0; pixel < texels.size(); ++pixel)
-    values[fromTop(image, pixel)] = {texels[pixel].x, 0.0f - texels[pixel].y};
-  return withChannels(image, "motion.X", "motion.Y", values);
+  for (std::size_t pixel = 0; pixel < texels.size(); ++pixel) {
+    values[2 * fromTop(image, pixel)] = texels[pixel].x;
+    values[2 * fromTop(image, pixel) + 1] = 0.0f - texels[pixel].y;
+  }
+  return withChannels(image, {"motion.X", "motion.Y"}, values);
 }
 
 Image withWork(const Image& image, const RayBatch& batch, std::span<const shared::RayWork> work) {
-  std::vector<glm::vec2> values(image.pixelCount(), glm::vec2(0));
+  std::vector<float> values(2 * image.pixelCount(), 0.0f);
   const std::vector<std::uint32_t> pixels = pixelsOf(batch.rays, static_cast<std::uint32_t>(work.size()));
-  for (std::size_t i = 0; i < work.size(); ++i) values[fromTop(image, pixels[i])] = {work[i].steps, work[i].tests};
-  return withChannels(image, "work.steps", "work.tests", values);
+  for (std::size_t i = 0; i < work.size(); ++i) {
+    values[2 * fromTop(image, pixels[i])] = static_cast<float>(work[i].steps);
+    values[2 * fromTop(image, pixels[i]) + 1] = static_cast<float>(work[i].tests);
+  }
+  return withChannels(image, {"work.steps", "work.tests"}, values);
+}
+
+Image withAnswers(const Image& image, std::span<const RayBatch> batches,
+                  std::span<const std::vector<std::uint32_t>> answers) {
+  std::vector<float> values(image.pixelCount(), 0.0f);
+  for (std::size_t batch = 0; batch < answers.size(); ++batch) {
+    const std::vector<std::uint32_t>& those = answers[batch];
+    const std::vector<std::uint32_t> pixels = pixelsOf(batches[batch].rays, static_cast<std::uint32_t>(those.size()));
+    for (std::size_t i = 0; i < those.size(); ++i) values[fromTop(image, pixels[i])] = static_cast<float>(those[i]);
+  }
+  return withChannels(image, {"answered.Y"}, values);
 }
 
 }  // namespace
 
 Image assembleLayers(const FrameView& view, const gl::Texture& linear, std::span<const RayBatch> batches,
-                     std::span<const shared::RayWork> work, RayReader& reader) {
+                     std::span<const shared::RayWork> work, std::span<const std::vector<std::uint32_t>> answers,
+                     RayReader& reader) {
   const GBuffer& gbuffer = view.gbuffer;
   Image image{gbuffer.width,
               gbuffer.height,
@@ -165,6 +185,7 @@ Image assembleLayers(const FrameView& view, const gl::Texture& linear, std::span
   for (const RayBatch& batch : batches) addHits(image, view, batch, normal, reader, vertexNormals);
   if (gbuffer.motion) image = withMotion(image, gbuffer.motion);
   if (!work.empty()) image = withWork(image, batches.front(), work);
+  if (!answers.empty()) image = withAnswers(image, batches, answers);
   return image;
 }
 

@@ -9,6 +9,7 @@
 #include "tracing/depth_cube/depth_cube_tracer.h"
 #include "tracing/identity/identity_tracer.h"
 #include "tracing/screen/screen_tracer.h"
+#include "tracing/screen_first/screen_first_tracer.h"
 
 namespace halfsilver {
 namespace {
@@ -22,6 +23,7 @@ const std::vector<Method>& table() {
       IdentityTracer::method(),
       BvhTracer::method(),
       ScreenTracer::method(),
+      ScreenFirstTracer::method(IdentityTracer::method()),
       {{.name = "exact", .help = "exact rays on the CPU (halfsilver::exact)", .exact = true}, {}},
       {{.name = "auto",
         .help = "the fastest of those without errors, see <halfsilver/calibration.h>; a renderer takes exact on a "

@@ -103,6 +103,7 @@ INSTANTIATE_TEST_SUITE_P(Render, EveryPreset,
                                          PresetCase{"hu2014", true, false}, PresetCase{"burger2007", false, false},
                                          PresetCase{"reference", false, false}, PresetCase{"bvh", false, false},
                                          PresetCase{"screen-space", false, false},
+                                         PresetCase{"screen-first", false, false},
                                          PresetCase{"halfsilver", false, false}, PresetCase{"occlusion", true, false},
                                          PresetCase{"path", true, false}, PresetCase{"whitted", true, false}),
                          [](const auto& instance) {

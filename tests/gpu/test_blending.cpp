@@ -62,7 +62,7 @@ vec3 throughBoth(const vec3& wall) { return 0.3f * kBlue + 0.7f * (0.4f * kWhite
 
 TEST_F(BlendingTest, SheetsBlendInTheOrderOfTheirDistanceOnExactMethods) {
   const Scene scene = sheetsBeforeWall();
-  for (const char* method : {"identity", "exact", "bvh"}) {
+  for (const char* method : {"identity", "exact", "bvh", "screen-first"}) {
     SCOPED_TRACE(method);
     const Frame frame = see(scene, {{"trace.method", method}});
     expectColor(frame, 5, 8, throughBoth(kRed));

@@ -47,6 +47,7 @@ const MethodCase kMethods[] = {
     {"exact", "reference", {}, 0},
     {"bvh", "bvh", {}, 0},
     {"screen_space", "screen-space", {}, 0.107},
+    {"screen_first", "screen-first", {}, 0.01},
     {"kastrati2017", "kastrati2017", {{"abuffer.resolution", "256"}}, 0.086},
     {"kastrati_plain", "kastrati2017", {{"voxels.raster", "voxel"}, {"abuffer.resolution", "256"}}, 0.106},
     {"kastrati_full",

@@ -79,6 +79,10 @@ class Tracer {
   // What the structure holds, for pictures of it. Waits for the GPU.
   virtual StructureCells cells() const { return {}; }
 
+  // ANSWER_... per ray of a queue of pixels that was traced in one of the two latest frames, of a method that has two
+  // ways to answer; else null.
+  virtual const gl::Buffer* answers(const RayQueue&) const { return nullptr; }
+
   // RayWork per ray of the queue that was traced last, if trace.count_work is set and the method counts.
   virtual const gl::Buffer* rayWork() const { return nullptr; }
 };

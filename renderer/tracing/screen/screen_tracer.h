@@ -1,11 +1,8 @@
 #pragma once
 
-#include <array>
-#include <cstddef>
-
 #include <halfsilver/settings.h>
 #include <halfsilver/tracer.h>
-#include "gl/program.h"
+#include "tracing/depth_pyramid.h"
 #include "tracing/grid.h"
 #include "tracing/trace_pass.h"
 
@@ -30,19 +27,9 @@ class ScreenTracer final : public Tracer {
   const gl::Buffer* rayWork() const override { return tracePass_.work(); }
 
  private:
-  // Of a frame under way.
-  struct Pyramid {
-    const GBuffer* of = nullptr;
-    gl::Texture depths;  // R32F, meters along the view axis; sides are multiples of the largest cell
-  };
-  const Pyramid& pyramidOf(const GBuffer& gbuffer) const;
-
-  const gl::Api* api_;
-  gl::Program build_;
+  DepthPyramid pyramid_;
   TracePass tracePass_;
   Grid grid_;  // the bounds alone: rays begin and end there
-  std::array<Pyramid, 2> pyramids_;
-  std::size_t latest_ = 0;
 };
 
 }  // namespace halfsilver
