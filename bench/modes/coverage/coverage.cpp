@@ -7,6 +7,7 @@
 #include <utility>
 
 #include <halfsilver/error.h>
+#include "bench/harness/method_presets.h"
 #include "bench/modes/coverage/report.h"
 #include "bench/report/text.h"
 
@@ -20,9 +21,9 @@ constexpr int kRounds = 3;  // each measures all points of a scene and preset
 std::string pictureName(const std::string& scene) { return scene + " all traced"; }
 
 // In order of measurement.
-std::vector<int> steps(bool quick) {
+std::vector<int> steps(bool few) {
   std::vector<int> all = scatteredOrder(kSteps);
-  if (quick) std::erase_if(all, [](int step) { return !std::set{0, 1, 8, 16, kSteps}.contains(step); });
+  if (few) std::erase_if(all, [](int step) { return !std::set{0, 1, 8, 16, kSteps}.contains(step); });
   return all;
 }
 
@@ -36,7 +37,7 @@ Settings curveSettings(const std::string& preset, SelectPattern pattern, bool qu
 }
 
 Plan planCoverage(const Setup& setup) {
-  const std::vector<std::string> presets = chosenPresets(setup.request, {kDefaultPreset});
+  const Request& request = setup.request;
   std::vector<Task<CoveragePoint>> tasks;
   const auto add = [&](const BenchScene& scene, const std::string& preset, int round, int step, SelectPattern pattern) {
     const std::size_t triangles = scene.model.scene.triangles.size();
@@ -57,11 +58,15 @@ Plan planCoverage(const Setup& setup) {
                      .measure = measure});
   };
   for (const BenchScene& scene : setup.scenes)
-    for (const std::string& preset : presets)
+    for (const std::string& preset :
+         chosenPresets(request, methodPresets(request.quick, scene.model.scene.triangles.size(), false))) {
+      // All methods at all shares would take hours: where none was asked for, only the default has them.
+      const bool few = request.quick || (request.presets.empty() && preset != kDefaultPreset);
       for (int round = 0; round < kRounds; ++round)
-        for (const int step : steps(setup.request.quick))
+        for (const int step : steps(few))
           for (const SelectPattern pattern : {SelectPattern::region, SelectPattern::scattered})
             add(scene, preset, round, step, pattern);
+    }
   const auto report = [&folder = setup.folder, &scenes = setup.scenes](const std::vector<CoveragePoint>& points) {
     const CoverageCurves curves = coverageCurves(points);
     const ChartFiles chart = drawChart(coverageChart(curves));

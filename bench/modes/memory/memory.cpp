@@ -7,6 +7,7 @@
 
 #include <halfsilver/io.h>
 #include "apps/drawing.h"
+#include "bench/harness/method_presets.h"
 #include "bench/harness/truth.h"
 #include "bench/modes/memory/report.h"
 #include "bench/report/text.h"
@@ -19,26 +20,17 @@ struct Variant {
   Settings settings;
 };
 
-// The systems that are compared. Kastrati's own A-buffer along all three axes is one of them: it differs from his only
-// in the number of A-buffers, while Hu's has linked lists.
+// All methods. Kastrati's own A-buffer along all three axes is one of them: it differs from his only in the number of
+// A-buffers, while Hu's has linked lists. A preset that traces all pixels is measured on the reflective ones, too.
 std::vector<Variant> variants(bool quick, std::size_t triangles, bool exact) {
   std::vector<Variant> all;
-  Settings settings = presetSettings(kDefaultPreset, quick, triangles);
-  all.push_back({kDefaultPreset, settings});
-  const Settings kastrati = presetSettings("kastrati2017", quick, triangles);
-  all.push_back({"kastrati2017", kastrati});
-  settings = kastrati;
-  settings.attributes.buffers = Buffers::three;
-  all.push_back({"kastrati2017 three", settings});
-  settings = presetSettings("hu2014", quick, triangles);
-  settings.select.mode = SelectMode::reflective;
-  all.push_back({"hu2014 reflective", settings});
-  settings.select.mode = SelectMode::all;
-  all.push_back({"hu2014 all", settings});
-  if (exact) {
-    settings = {};
-    applyPreset(settings, kReference);
-    all.push_back({kReference, settings});
+  for (const std::string& preset : methodPresets(quick, triangles, exact)) {
+    const ReflectivePreset reflective = reflectivePreset(preset, quick, triangles);
+    all.push_back({reflective.name, reflective.settings});
+    if (reflective.name != preset) all.push_back({preset + " all", presetSettings(preset, quick, triangles)});
+    if (preset != "kastrati2017") continue;
+    all.push_back({"kastrati2017 three", reflective.settings});
+    all.back().settings.attributes.buffers = Buffers::three;
   }
   return all;
 }

@@ -1,6 +1,9 @@
 #include "bench/modes/pareto/variants.h"
 
+#include <algorithm>
+
 #include "bench/harness/bench_scene.h"
+#include "bench/harness/method_presets.h"
 
 namespace halfsilver::bench {
 
@@ -49,6 +52,10 @@ std::vector<Variant> variants(bool quick, std::size_t triangles) {
        false,
        ""},
   };
+  // Methods without a variant of their own, as they are.
+  for (const std::string& preset : methodPresets(quick, triangles, false))
+    if (std::none_of(all.begin(), all.end(), [&](const Variant& v) { return v.preset == preset && v.values.empty(); }))
+      all.push_back({preset, "", preset, {}, true, ""});
   for (const char* threshold : {"0.01", "0.02", "0.05", "0.1", "0.2"})
     all.push_back({"threshold of contribution",
                    threshold,

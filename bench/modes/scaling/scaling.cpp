@@ -10,6 +10,7 @@
 #include <halfsilver/error.h>
 #include <halfsilver/io.h>
 #include <halfsilver/methods.h>
+#include "bench/harness/method_presets.h"
 #include "bench/modes/scaling/report.h"
 #include "bench/modes/scaling/scenes.h"
 #include "bench/report/text.h"
@@ -151,7 +152,7 @@ class Measurement {
 };
 
 Plan planScaling(const Setup& setup) {
-  const std::vector<std::string> presets = chosenPresets(setup.request, {kDefaultPreset, "kastrati2017", "hu2014"});
+  const std::vector<std::string> presets = chosenPresets(setup.request, methodPresets(setup.request.quick, 0, false));
   const auto measurement = std::make_shared<Measurement>(setup.bench, setup.folder);
   const double timeLimit = setup.request.timeLimit;
   std::vector<Task<ScalingPoint>> tasks;

@@ -12,6 +12,7 @@
 #include <halfsilver/io.h>
 #include "apps/drawing.h"
 #include "bench/harness/flicker.h"
+#include "bench/harness/method_presets.h"
 #include "bench/modes/stability/motion.h"
 #include "bench/modes/stability/report.h"
 
@@ -27,23 +28,17 @@ struct Variant {
   Settings settings;
 };
 
+// All methods, and Kastrati's with the most careful of its searches.
 std::vector<Variant> variants(bool quick) {
-  const auto paper = [&](const char* preset) {
-    Settings settings;
-    applyPreset(settings, preset);
-    settings.select.mode = SelectMode::reflective;
-    if (quick) settings.voxels.resolution = 32;
-    if (quick) settings.abuffer.resolution = 256;
-    return settings;
-  };
-  std::vector<Variant> all(1);
-  applyPreset(all[0].settings, all[0].name = "halfsilver");
-  all.push_back({"kastrati2017", paper("kastrati2017")});
-  Settings full = paper("kastrati2017");
-  full.voxels.raster = VoxelRaster::abuffer;
-  full.attributes.steps = 0;
-  all.push_back({"kastrati2017 full", full});
-  all.push_back({"hu2014 reflective", paper("hu2014")});
+  std::vector<Variant> all;
+  for (const std::string& preset : methodPresets(quick, 0, false)) {
+    const ReflectivePreset reflective = reflectivePreset(preset, quick, 0);
+    all.push_back({reflective.name, reflective.settings});
+    if (preset != "kastrati2017") continue;
+    all.push_back({"kastrati2017 full", reflective.settings});
+    all.back().settings.voxels.raster = VoxelRaster::abuffer;
+    all.back().settings.attributes.steps = 0;
+  }
   return all;
 }
 
