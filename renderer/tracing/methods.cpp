@@ -6,8 +6,10 @@
 #include <halfsilver/tracer.h>
 #include "tracing/attributes/attribute_tracer.h"
 #include "tracing/bvh/bvh_tracer.h"
+#include "tracing/cubemap/cubemap_tracer.h"
 #include "tracing/depth_cube/depth_cube_tracer.h"
 #include "tracing/identity/identity_tracer.h"
+#include "tracing/planar/planar_tracer.h"
 #include "tracing/screen/screen_tracer.h"
 #include "tracing/screen_first/screen_first_tracer.h"
 
@@ -24,6 +26,8 @@ const std::vector<Method>& table() {
       BvhTracer::method(),
       ScreenTracer::method(),
       ScreenFirstTracer::method(IdentityTracer::method()),
+      PlanarTracer::method(),
+      CubemapTracer::method(),
       {{.name = "exact", .help = "exact rays on the CPU (halfsilver::exact)", .exact = true}, {}},
       {{.name = "auto",
         .help = "the fastest of those without errors, see <halfsilver/calibration.h>; a renderer takes exact on a "

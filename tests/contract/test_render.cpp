@@ -103,9 +103,10 @@ INSTANTIATE_TEST_SUITE_P(Render, EveryPreset,
                                          PresetCase{"hu2014", true, false}, PresetCase{"burger2007", false, false},
                                          PresetCase{"reference", false, false}, PresetCase{"bvh", false, false},
                                          PresetCase{"screen-space", false, false},
-                                         PresetCase{"screen-first", false, false},
-                                         PresetCase{"halfsilver", false, false}, PresetCase{"occlusion", true, false},
-                                         PresetCase{"path", true, false}, PresetCase{"whitted", true, false}),
+                                         PresetCase{"screen-first", false, false}, PresetCase{"planar", false, false},
+                                         PresetCase{"cubemap", false, false}, PresetCase{"halfsilver", false, false},
+                                         PresetCase{"occlusion", true, false}, PresetCase{"path", true, false},
+                                         PresetCase{"whitted", true, false}),
                          [](const auto& instance) {
                            std::string name = instance.param.name;
                            std::replace(name.begin(), name.end(), '-', '_');

@@ -167,8 +167,8 @@ TEST_P(OverlappingFrames, CanBeKeptUnderWay) {
 }
 
 INSTANTIATE_TEST_SUITE_P(AllMethods, OverlappingFrames,
-                         ::testing::Values("exact", "identity", "bvh", "screen-space", "screen-first", "attributes",
-                                           "none"),
+                         ::testing::Values("exact", "identity", "bvh", "screen-space", "screen-first", "planar",
+                                           "cubemap", "attributes", "none"),
                          [](const auto& method) {
                            std::string name(method.param);
                            std::replace(name.begin(), name.end(), '-', '_');

@@ -70,7 +70,7 @@ TEST(Settings, MethodsAreThoseOfTheTable) {
     EXPECT_EQ(method.preset.empty(), method.knobs.empty()) << method.name;
   }
   EXPECT_EQ(names, (std::vector<std::string>{"none", "attributes", "depth-cube", "identity", "bvh", "screen-space",
-                                             "screen-first", "exact", "auto"}));
+                                             "screen-first", "planar", "cubemap", "exact", "auto"}));
   EXPECT_EQ(find(infos, "trace.method").choices, names);
   EXPECT_THROW(methodInfo("identities"), Error);
 }

@@ -121,8 +121,8 @@ TEST(Presets, AreThePublishedSystemsAndHoldNoDefaults) {
     EXPECT_FALSE(preset.description.empty()) << preset.name;
     byName[preset.name] = preset;
   }
-  for (const char* name :
-       {"deferred", "kastrati2017", "hu2014", "reference", "bvh", "screen-space", "screen-first", "halfsilver"})
+  for (const char* name : {"deferred", "kastrati2017", "hu2014", "reference", "bvh", "screen-space", "screen-first",
+                           "planar", "cubemap", "halfsilver"})
     ASSERT_TRUE(byName.count(name)) << name;
   EXPECT_TRUE(byName["halfsilver"].values.empty());
   Settings automatic;

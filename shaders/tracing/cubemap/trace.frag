@@ -1,0 +1,2 @@
+#include "tracing/cubemap/search.glsl"
+#include "tracing/common/trace_fragment.glsl"

@@ -1,0 +1,2 @@
+#include "tracing/planar/search.glsl"
+#include "tracing/common/trace_fragment.glsl"
