@@ -128,6 +128,30 @@ bool chunksFit(std::span<const std::uint8_t> bytes) {
   return true;
 }
 
+// stb writes the Huffman tables of a JPEG without looking whether they have more codes than there are bytes: then they
+// run over what lies behind them. Walks the segments as stb does (ITU T.81, B.2.4.2).
+bool tablesFit(std::span<const std::uint8_t> bytes) {
+  constexpr std::uint8_t kTables = 0xc4, kFirstBare = 0xd0, kEnd = 0xd9;
+  const auto byteAt = [&](std::size_t at) { return at < bytes.size() ? bytes[at] : std::uint8_t{0}; };
+  if (byteAt(0) != 0xff || byteAt(1) != 0xd8) return true;  // no JPEG
+  for (std::size_t at = 2; at < bytes.size();) {
+    if (bytes[at++] != 0xff) continue;  // of a scan, or filling
+    while (byteAt(at) == 0xff) ++at;
+    const std::uint8_t marker = byteAt(at++);
+    if (marker == kEnd) return true;
+    if (marker <= 1 || (marker >= kFirstBare && marker < kEnd)) continue;  // without a segment
+    const std::size_t length = std::size_t{byteAt(at)} << 8 | byteAt(at + 1);
+    for (std::size_t table = at + 2; marker == kTables && table < at + length;) {
+      std::size_t codes = 0;
+      for (std::size_t i = 1; i <= 16; ++i) codes += byteAt(table + i);
+      if (codes > 256) return false;
+      table += 17 + codes;
+    }
+    at += std::max<std::size_t>(length, 2);
+  }
+  return true;
+}
+
 template <class T>
 void takePixels(const T* pixels, float scale, Image& image) {
   image.data.resize(image.pixelCount() * image.channels.size());
@@ -140,6 +164,10 @@ bool decodeStb(std::span<const std::uint8_t> bytes, ImageFile& result, std::stri
   int width = 0, height = 0, channels = 0;
   if (!chunksFit(bytes)) {
     problem = "the file is cut off";
+    return false;
+  }
+  if (!tablesFit(bytes)) {
+    problem = "not an image: a Huffman table has more codes than there are bytes";
     return false;
   }
   if (!stbi_info_from_memory(data, size, &width, &height, &channels)) {
@@ -196,7 +224,9 @@ bool decodeSmall(std::span<const std::uint8_t> bytes, ImageFile& result, std::st
 }
 
 bool decodeRgba(std::span<const std::uint8_t> bytes, Texture& texture) {
-  if (bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()) || !chunksFit(bytes)) return false;
+  if (bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()) || !chunksFit(bytes) ||
+      !tablesFit(bytes))
+    return false;
   const auto* data = bytes.data();
   const int size = static_cast<int>(bytes.size());
   int width = 0, height = 0, channels = 0;

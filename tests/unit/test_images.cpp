@@ -161,6 +161,22 @@ TEST(AtomicFile, RefusesWhatCannotBeWrittenAtOnce) {
   EXPECT_TRUE(fs::is_character_file("/dev/null"));
 }
 
+TEST(Images, AJpegWhoseTableHasMoreCodesThanBytesIsRefused) {
+  std::vector<std::uint8_t> bytes = {0xff, 0xd8, 0xff, 0xfe, 0, 4, 0xff, 0xc4, 0xff, 0xc4, 0x10, 0x13, 0};
+  bytes.insert(bytes.end(), 16, 255);  // 4,080 codes
+  bytes.resize(5000);
+  ImageFile file;
+  std::string problem;
+  EXPECT_FALSE(decodeSmall(bytes, file, problem));
+  EXPECT_EQ(problem, "not an image: a Huffman table has more codes than there are bytes");
+  Texture texture;
+  EXPECT_FALSE(decodeRgba(bytes, texture));
+  // What looks like a table in a comment is none: this fails for what it lacks.
+  bytes.resize(8);
+  EXPECT_FALSE(decodeSmall(bytes, file, problem));
+  EXPECT_EQ(problem.find("Huffman"), std::string::npos) << problem;
+}
+
 TEST(Images, APngWhoseChunkIsLongerThanTheFileTakesNoMemoryForIt) {
   const std::vector<std::uint8_t> texel = {1, 2, 3, 4};
   std::vector<std::byte> png = encodePng(1, 1, texel);
