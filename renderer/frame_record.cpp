@@ -30,7 +30,7 @@ void FrameRecord::begin() {
   reported_ = false;
   firstCounts_.clear();
   laterCounts_.clear();
-  signature_ = contributions_ = buildCounts_ = {};
+  signature_ = contributions_ = buildCounts_ = primaryCounts_ = {};
   addBuildCounts_ = nullptr;
 }
 
@@ -43,6 +43,7 @@ void FrameRecord::end(const Frame& frame, const Tracer* tracer, const MemoryRepo
   known_.memory.gbuffer = frame.gbuffer.bytes();
   number_ = frame.gbuffer.number;
   signature_ = readback_.copy<std::uint32_t>(frame.gbuffer.signature);
+  if (frame.gbuffer.primaryCounts) primaryCounts_ = readback_.copy<std::uint32_t>(frame.gbuffer.primaryCounts, 2);
   // Rays that nobody traces are no selection: the layers say so too.
   if (tracer) {
     memory_ = tracer->memory();
@@ -82,6 +83,10 @@ FrameReport FrameRecord::report() {
     known_.reflecting += first.reflecting;
     if (first.source == RAYS_OF_PIXELS) known_.rays[RAY_REFLECTION] += first.count - first.byKind[RAY_THROUGH];
     for (std::size_t kind = 0; kind < known_.rays.size(); ++kind) known_.rays[kind] += first.byKind[kind];
+  }
+  if (primaryCounts_.count) {
+    known_.resampled = readback_.values(primaryCounts_)[0];
+    known_.interpolated = readback_.values(primaryCounts_)[1];
   }
   if (contributions_.count) {
     const std::span<const std::uint32_t> classes = readback_.values(contributions_);

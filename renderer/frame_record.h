@@ -73,7 +73,7 @@ class FrameRecord {
   gl::Profiler profiler_;
   gl::Readback readback_;
   std::vector<gl::Readback::Slice<shared::RayCount>> firstCounts_, laterCounts_;  // of batches and later generations
-  gl::Readback::Slice<std::uint32_t> signature_, contributions_, buildCounts_;
+  gl::Readback::Slice<std::uint32_t> signature_, contributions_, buildCounts_, primaryCounts_;
   void (*addBuildCounts_)(std::span<const std::uint32_t>, TracerMemory&) = nullptr;
 };
 

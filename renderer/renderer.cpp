@@ -39,35 +39,8 @@ void Renderer::Impl::useTracer(const Settings& wanted) {
   change = SceneChange::everything();
 }
 
-// Whether rays find the shadows of direct lights.
-bool Renderer::Impl::lightsByRays(const Settings& wanted) const {
-  return wanted.shadow.method == ShadowMethod::rays && tracer && effect->usesLightRays();
-}
-
 bool Renderer::Impl::blends(const Settings& wanted) const {
   return effect->blends(wanted, scene, tracer && tracer->seesBehind());
-}
-
-ShadowSettings Renderer::Impl::shadowsOf(const Settings& wanted) const {
-  ShadowSettings used = wanted.shadow;
-  if (!lightsByRays(wanted)) used.method = ShadowMethod::maps;
-  return used;
-}
-
-void Renderer::Impl::drawShadows(const Camera& camera, const Settings& wanted, gl::Profiler& profiler) {
-  const ShadowSettings used = shadowsOf(wanted);
-  const ShadowBoxes boxes =
-      shadowBoxes(scene.clusters.all(), scene.extents.bounds(), shadowPass.resolutionOf(used), camera.eye);
-  if (shadowSettings == used && shadowsShow == boxes) return;
-  shadowSettings.reset();
-  shadowWarnings = shadowPass.run(scene, lights, sky, used, boxes, shadowChange, shadows, profiler);
-  shadowsShow = boxes;
-  if (used.method != wanted.shadow.method)
-    shadowWarnings.emplace_back(
-        "shadow.method=rays is for trace.effect=reflection with a method that traces; shadow maps "
-        "are used");
-  shadowSettings = used;
-  shadowChange = {.everything = false, .moved = {}};
 }
 
 void Renderer::Impl::useEffect(Effect wanted) {
@@ -114,16 +87,6 @@ void Renderer::Impl::finishBatch(const FrameView& view, Frame& frame, std::size_
              .batch = static_cast<int>(number)});
   effect->resolve(view, frame.settings, batch.rays, frame.passes, static_cast<int>(number), frame.effect,
                   frame.gbuffer);
-}
-
-LightRays::Trace Renderer::Impl::tracing(const FrameView& view) {
-  return [this, &view](const RayQueue& rays, Hits& hits, bool any) {
-    reserveHits(api, rays, tracer->storesAttributes(), hits);
-    if (any)
-      tracer->occluded(view, rays, hits);
-    else
-      tracer->trace(view, rays, hits);
-  };
 }
 
 // All generations of a batch.
@@ -183,6 +146,7 @@ void Renderer::Impl::start(const Work& work, const Camera& camera, const Setting
       makeFrameConstants(camera, scene.extents.bounds(), sky, wanted, size.x, size.y, shadows.ranges, use.jitter);
   constants.allLight = effect->bringsAllLight() ? 1 : 0;
   constants.blends = blends(wanted) ? 1 : 0;
+  if (lightsByRays(wanted) || marksShadows(wanted)) constants.mappedLights = 0;
   constants.firstPass = use.passes.first;
   constants.traces =
       static_cast<std::uint32_t>(effect->generations(wanted, blends(wanted)) - (effect->startsAtCamera() ? 1 : 0));
@@ -197,7 +161,7 @@ void Renderer::Impl::start(const Work& work, const Camera& camera, const Setting
   frame.constants.write(0, &frame.host, sizeof(frame.host));
 
   const FrameView view = viewOf(frame, record.profiler());
-  gbufferPass.run(view, frame.gbuffer);
+  gbufferPass.run(view, frame.gbuffer, wanted.primary);
   if (wanted.image.motion || use.kind == PictureUse::Kind::temporal) {
     motionPass.run(view, std::exchange(moved, {}), use.kind != PictureUse::Kind::sample || use.first, frame.gbuffer);
   } else {
@@ -206,6 +170,7 @@ void Renderer::Impl::start(const Work& work, const Camera& camera, const Setting
   }
   moved.clear();
   const bool byRays = lightsByRays(wanted);
+  markShadows(view, wanted, frame.gbuffer);
   if (tracer) {
     for (RayQueue& queue : frame.queues)
       if (queue.count) queue.count.fill(0);  // overflow adds up over the generations that share a queue
@@ -251,6 +216,7 @@ void Renderer::Impl::finish(const Target& target) {
         finishBatch(view, frame, number);
       }
     }
+    if (frame.gbuffer.tested) interpolatePass.run(view, frame.settings.primary);
     picture.show(view, frame, motionPass.previousPositions(), target);
   } catch (...) {
     picture.forget();
@@ -273,7 +239,7 @@ void Renderer::Impl::finish(const Target& target) {
   held.textures = scene.textureBytes();
   held.shadowMaps = shadows.bytes();
   held.geometry += motionPass.bytes() + (rig ? rig->bytes() : 0);
-  held.pictures = picture.bytes() + effect->bytes();
+  held.pictures = picture.bytes() + effect->bytes() + shadowMarkPass.bytes();
   held.peak = held.geometry + held.textures + held.shadowMaps + held.pictures;
   for (const Frame& each : frames) {
     held.queues += each.bytes() - each.gbuffer.bytes();

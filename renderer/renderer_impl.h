@@ -18,16 +18,18 @@
 #include "frame/gpu_rig.h"
 #include "frame_record.h"
 #include "passes/gbuffer.h"
+#include "passes/interpolate.h"
 #include "passes/motion.h"
 #include "passes/pose.h"
 #include "passes/shade.h"
+#include "passes/shadow_marks.h"
 #include "passes/shadows.h"
 #include "picture.h"
 
 namespace halfsilver {
 
-// All that a renderer owns. renderer.cpp draws frames, renderer_prepare.cpp makes ready for them, renderer_reads.cpp
-// reads back what they show.
+// All that a renderer owns. renderer.cpp draws frames, renderer_lights.cpp finds shadows, renderer_prepare.cpp makes
+// ready for frames, renderer_reads.cpp reads back what they show.
 struct Renderer::Impl {
   // Frames that may be under way, and frames whose figures may be: those, and one that has been reported.
   static constexpr std::size_t kFrames = 2, kRecords = kFrames + 1;
@@ -41,8 +43,10 @@ struct Renderer::Impl {
   ShadowPass shadowPass{api};
   GBufferPass gbufferPass{api};
   MotionPass motionPass{api};
+  ShadowMarkPass shadowMarkPass{api};
   ShadePass shadePass{api};
   LightRays lightRays{api};
+  InterpolatePass interpolatePass{api};
   Picture picture{api};
   std::unique_ptr<RayEffect> effect;
   std::optional<Effect> effectName;
@@ -89,8 +93,10 @@ struct Renderer::Impl {
   void useEffect(Effect wanted);
   bool blends(const Settings& wanted) const;
   bool lightsByRays(const Settings& wanted) const;
+  bool marksShadows(const Settings& wanted) const;
   ShadowSettings shadowsOf(const Settings& wanted) const;
   void drawShadows(const Camera& camera, const Settings& wanted, gl::Profiler& profiler);
+  void markShadows(const FrameView& view, const Settings& wanted, GBuffer& gbuffer);
   std::uint32_t maxRays(const Settings& wanted) const;
   void submitBatch(const FrameView& view, Frame& frame, std::size_t number);
   void finishBatch(const FrameView& view, Frame& frame, std::size_t number);

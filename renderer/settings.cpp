@@ -14,6 +14,8 @@ namespace {
 
 // Names of choices, in the order of the enumerators. Those of a method's own are beside its settings.
 constexpr auto choiceNames(Posing) { return std::array{"gpu", "cpu"}; }
+constexpr auto choiceNames(PrimaryHits) { return std::array{"raster", "tested"}; }
+constexpr auto choiceNames(Multisampling) { return std::array{"none", "lazy", "full"}; }
 constexpr auto choiceNames(SelectMode) { return std::array{"none", "reflective", "all"}; }
 constexpr auto choiceNames(SelectPattern) { return std::array{"scattered", "region"}; }
 constexpr auto choiceNames(Fill) { return std::array{"sky", "neighbours"}; }
@@ -22,7 +24,7 @@ constexpr auto choiceNames(AxisRule) { return std::array{"normal", "area", "own"
 constexpr auto choiceNames(TraceStage) { return std::array{"compute", "fragment"}; }
 constexpr auto choiceNames(Effect) { return std::array{"reflection", "whitted", "occlusion", "path", "layers"}; }
 constexpr auto choiceNames(Transfer) { return std::array{"xray", "surface", "blend"}; }
-constexpr auto choiceNames(ShadowMethod) { return std::array{"maps", "rays"}; }
+constexpr auto choiceNames(ShadowMethod) { return std::array{"maps", "rays", "refined"}; }
 constexpr auto choiceNames(ToneMap) { return std::array{"filmic", "none"}; }
 constexpr auto choiceNames(Antialiasing) { return std::array{"none", "fxaa", "temporal"}; }
 
@@ -59,6 +61,10 @@ template <class S, class Visitor>
 void visitAll(S& s, Visitor&& visit) {
   visit("scene.cull_back_faces", s.scene.cullBackFaces, 0, 1, "single-sided materials are invisible from behind");
   visit("scene.posing", s.scene.posing, 0, 0, "what places animated vertices; cpu: in double precision");
+  visit("primary.hits", s.primary.hits, 0, 0, "what decides which triangle a pixel's ray meets");
+  visit("primary.multisampling", s.primary.multisampling, 0, 0, "whose triangles it is tested against");
+  visit("primary.neighborhood", s.primary.neighborhood, 3, 7, "pixels along the square that those are of, odd");
+  visit("primary.every", s.primary.every, 1, 8, "one pixel in so many has a ray, the others are interpolated");
   visit("select.mode", s.select.mode, 0, 0, "which pixels are traced");
   visit("select.fraction", s.select.fraction, 0, 1, "share of the selected pixels that is kept");
   visit("select.pattern", s.select.pattern, 0, 0, "where the pixels that are kept lie on the screen");
@@ -89,6 +95,8 @@ void visitAll(S& s, Visitor&& visit) {
   visit("effect.opacity", s.effect.opacity, 0, 1, "of a layer that is seen straight on");
   visit("shadow.method", s.shadow.method, 0, 0, "how shadows of direct lights are found");
   visit("shadow.samples", s.shadow.samples, 1, 64, "rays to a light that has an extent");
+  visit("shadow.kernel", s.shadow.kernel, 1, 31,
+        "pixels along the square around a shadow's edge that rays decide, odd");
   visit("shadow.resolution", s.shadow.resolution, 16, 8192, "texels along a shadow map");
   visit("shadow.sky_directions", s.shadow.skyDirections, 0, 32, "shadowed directions that stand for the sky");
   visit("image.exposure", s.image.exposure, -20, 20, "stops");

@@ -154,6 +154,8 @@ Json toJson(const RunStatistics& s) {
                     {"coverage", coverage(s.report)},
                     {"samples", s.samples}};
   json["pixels"]["passes"] = s.report.passes;
+  json["pixels"]["resampled"] = s.report.resampled;
+  json["pixels"]["interpolated"] = s.report.interpolated;
   json["rays"]["min_distance"] = s.report.minDistance;
   for (std::size_t kind = 0; kind < kRayKinds.size(); ++kind) json["rays"][kRayKinds[kind]] = s.report.rays[kind];
   json["memory"] = {{"voxels", memory.voxels},

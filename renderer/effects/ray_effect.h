@@ -47,6 +47,8 @@ class RayEffect {
   virtual bool bringsAllLight() const { return false; }
   // Whether its hits are lit as deferred pixels are, so that rays may find their shadows (shadow.method).
   virtual bool usesLightRays() const { return false; }
+  // Whether it asks GBuffer::shadowMarks which lights of a pixel need no rays (shadow.method = refined).
+  virtual bool readsShadowMarks() const { return false; }
   // Whether surfaces that transmit or have a coat look so.
   virtual bool showsLayers() const { return false; }
   // Whether first rays are the camera's, which firstHits() answers; otherwise a tracer does.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <initializer_list>
 #include <optional>
 #include <span>
@@ -132,6 +133,20 @@ Image withMotion(const Image& image, const gl::Texture& motion) {
   return withChannels(image, {"motion.X", "motion.Y"}, values);
 }
 
+// Of how many lights the shadows are in doubt, and how many light the pixel for certain.
+Image withShadows(const Image& image, const gl::Texture& marks) {
+  const auto layers = static_cast<std::size_t>(marks.shape().depth), pixels = image.pixelCount();
+  std::vector<glm::uvec2> texels(pixels * layers);
+  marks.read(GL_RG_INTEGER, GL_UNSIGNED_INT, texels.size() * sizeof(glm::uvec2), texels.data());
+  std::vector<float> values(2 * pixels, 0.0f);
+  for (std::size_t i = 0; i < texels.size(); ++i) {
+    float* value = &values[2 * fromTop(image, i % pixels)];
+    value[0] += static_cast<float>(std::popcount(texels[i].x & texels[i].y));
+    value[1] += static_cast<float>(std::popcount(texels[i].x & ~texels[i].y));
+  }
+  return withChannels(image, {"shadow.marked", "shadow.lit"}, values);
+}
+
 Image withWork(const Image& image, const RayBatch& batch, std::span<const shared::RayWork> work) {
   std::vector<float> values(2 * image.pixelCount(), 0.0f);
   const std::vector<std::uint32_t> pixels = pixelsOf(batch.rays, static_cast<std::uint32_t>(work.size()));
@@ -184,6 +199,7 @@ Image assembleLayers(const FrameView& view, const gl::Texture& linear, std::span
   std::optional<VertexNormals> vertexNormals;
   for (const RayBatch& batch : batches) addHits(image, view, batch, normal, reader, vertexNormals);
   if (gbuffer.motion) image = withMotion(image, gbuffer.motion);
+  if (gbuffer.shadowMarks) image = withShadows(image, gbuffer.shadowMarks);
   if (!work.empty()) image = withWork(image, batches.front(), work);
   if (!answers.empty()) image = withAnswers(image, batches, answers);
   return image;

@@ -35,8 +35,8 @@ void ShadowMaps::bind() const {
 
 std::size_t GBuffer::bytes() const {
   std::size_t sum = 0;
-  for (const gl::Texture* texture :
-       {&depth, &visibility, &position, &normal, &baseColor, &material, &emissive, &shaded, &reflection, &motion})
+  for (const gl::Texture* texture : {&depth, &visibility, &position, &normal, &baseColor, &material, &emissive, &shaded,
+                                     &reflection, &motion, &shadowMarks, &tested})
     sum += texture->bytes();
   return sum;
 }

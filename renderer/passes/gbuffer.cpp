@@ -1,6 +1,7 @@
 #include "passes/gbuffer.h"
 
 #include <utility>
+#include <vector>
 
 #include "gl/draw_state.h"
 #include "shared/passes/gbuffer.h"
@@ -30,6 +31,9 @@ GBuffer allocate(const gl::Api& api, int width, int height, GLenum emissive) {
   return buffer;
 }
 
+// Whether a pixel may show anything else than what rasterization found there.
+bool hasRules(const PrimarySettings& primary) { return primary.hits == PrimaryHits::tested || primary.every > 1; }
+
 }  // namespace
 
 GBufferPass::GBufferPass(const gl::Api& api)
@@ -42,7 +46,7 @@ GBufferPass::GBufferPass(const gl::Api& api)
   cut_ = gl::Program::raster(api, "passes/visibility.vert", "passes/visibility.frag", cut);
 }
 
-void GBufferPass::run(const FrameView& view, GBuffer& out) {
+void GBufferPass::run(const FrameView& view, GBuffer& out, const PrimarySettings& primary) {
   const auto width = static_cast<int>(view.frame.width), height = static_cast<int>(view.frame.height);
   const GLenum emissive = view.scene.beyondHalf ? GL_RGBA32F : GL_RGBA16F;
   if (out.width != width || out.height != height || out.emissive.shape().format != emissive) {
@@ -51,7 +55,7 @@ void GBufferPass::run(const FrameView& view, GBuffer& out) {
   }
   const auto section = view.profiler.section("gbuffer");
   rasterize(view, out);
-  resolve(view, out);
+  resolve(view, out, primary);
 }
 
 void GBufferPass::rasterize(const FrameView& view, const GBuffer& out) const {
@@ -82,10 +86,41 @@ void GBufferPass::rasterize(const FrameView& view, const GBuffer& out) const {
   }
 }
 
-void GBufferPass::resolve(const FrameView& view, GBuffer& out) {
+const gl::Program& GBufferPass::resolving(const FrameView& view, const PrimarySettings& primary) {
+  if (!hasRules(primary)) return resolve_.of(view.scene);
+  const bool tested = primary.hits == PrimaryHits::tested;
+  std::optional<SurfacePrograms>& programs = ruled_[tested ? 1 + static_cast<std::size_t>(primary.multisampling) : 0];
+  if (!programs) {
+    std::vector<gl::Define> defines{{"PRIMARY_RULES"}};
+    if (tested) defines.push_back({"TEST_HITS"});
+    if (tested && primary.multisampling != Multisampling::none)
+      defines.push_back({primary.multisampling == Multisampling::lazy ? "LAZY" : "FULL"});
+    programs.emplace(*api_, "passes/gbuffer.comp", std::move(defines));
+  }
+  return programs->of(view.scene);
+}
+
+// What the tests write, which leaves again with them.
+void GBufferPass::beginTests(const gl::Program& program, const PrimarySettings& primary, GBuffer& out) const {
+  if (!hasRules(primary)) {
+    out.tested = gl::Texture();
+    out.primaryCounts = gl::Buffer();
+    return;
+  }
+  if (!out.tested) out.tested = gl::Texture(*api_, out.visibility.shape(), "tested triangles");
+  if (!out.primaryCounts) out.primaryCounts = gl::Buffer(*api_, 2 * sizeof(std::uint32_t), "primary counts");
+  out.primaryCounts.fill(0);
+  program.set("reach", primary.neighborhood / 2);
+  program.set("every", static_cast<unsigned>(primary.every));
+  out.primaryCounts.bindStorage(SSBO_PRIMARY_COUNTS);
+  out.tested.bindImage(IMAGE_TESTED, GL_WRITE_ONLY);
+}
+
+void GBufferPass::resolve(const FrameView& view, GBuffer& out, const PrimarySettings& primary) {
   const gl::Api& gl = *api_;
-  const gl::Program& program = resolve_.of(view.scene);
+  const gl::Program& program = resolving(view, primary);
   program.use();
+  beginTests(program, primary, out);
   out.number = ++frames_;
   program.set("number", out.number);
   out.signature.bindStorage(SSBO_SIGNATURE);
@@ -102,6 +137,9 @@ void GBufferPass::resolve(const FrameView& view, GBuffer& out) {
   // This dispatch writes the G-buffer's images; selection, shading and the layers' read-back fetch them. The signature
   // is copied when the frame ends, after a barrier.
   gl.MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
+  if (!out.tested) return;
+  std::swap(out.visibility, out.tested);
+  gl.MemoryBarrier(GL_FRAMEBUFFER_BARRIER_BIT);  // the next frame draws over what was stored here
 }
 
 }  // namespace halfsilver

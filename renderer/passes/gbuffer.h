@@ -1,8 +1,11 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <optional>
 
 #include <halfsilver/frame_view.h>
+#include <halfsilver/settings.h>
 #include "frame/surface_programs.h"
 #include "gl/framebuffer.h"
 #include "gl/program.h"
@@ -16,16 +19,20 @@ class GBufferPass {
  public:
   explicit GBufferPass(const gl::Api& api);
 
-  // Section "gbuffer". Allocates `out` if its size is not the frame's.
-  void run(const FrameView& view, GBuffer& out);
+  // Section "gbuffer". Allocates `out` if its size is not the frame's. Pixels that `primary` leaves without a surface
+  // have a position with w = -1.
+  void run(const FrameView& view, GBuffer& out, const PrimarySettings& primary = {});
 
  private:
   void rasterize(const FrameView& view, const GBuffer& out) const;
-  void resolve(const FrameView& view, GBuffer& out);
+  const gl::Program& resolving(const FrameView& view, const PrimarySettings& primary);
+  void beginTests(const gl::Program& program, const PrimarySettings& primary, GBuffer& out) const;
+  void resolve(const FrameView& view, GBuffer& out, const PrimarySettings& primary);
 
   const gl::Api* api_;
   gl::Program opaque_, cut_;
   SurfacePrograms resolve_;
+  std::array<std::optional<SurfacePrograms>, 4> ruled_;  // with PRIMARY_RULES, by what is tested; made on first use
   gl::Framebuffer framebuffer_;
   gl::EmptyVertexArray vertexArray_;
   std::uint32_t frames_ = 0;  // that have been numbered

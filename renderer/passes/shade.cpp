@@ -1,15 +1,22 @@
 #include "passes/shade.h"
 
 #include "shared/passes/shade.h"
+#include "shared/passes/shadow_marks.h"
 
 namespace halfsilver {
 
 ShadePass::ShadePass(const gl::Api& api) : api_(&api), program_(gl::Program::compute(api, "passes/shade.comp")) {}
 
-void ShadePass::run(const FrameView& view, const GBuffer& gbuffer) const {
+void ShadePass::run(const FrameView& view, const GBuffer& gbuffer) {
+  const bool marked = static_cast<bool>(gbuffer.shadowMarks);
+  if (marked && !marked_) {
+    const gl::Define defines[] = {{"SHADOW_MARKS"}};
+    marked_ = gl::Program::compute(*api_, "passes/shade.comp", defines);
+  }
   const auto section = view.profiler.section("shade");
   api_->ClearTexImage(gbuffer.reflection.name(), 0, GL_RGBA, GL_FLOAT, nullptr);
-  program_.use();
+  (marked ? marked_ : program_).use();
+  if (marked) gbuffer.shadowMarks.bind(UNIT_SHADOW_MARKS);
   view.constants.bindUniform(UBO_FRAME);
   view.scene.bindTriangles();
   view.shadows.bind();

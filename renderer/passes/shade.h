@@ -6,16 +6,17 @@
 namespace halfsilver {
 
 // Deferred shading, section "shade": writes GBuffer::shaded, the radiance of every pixel without its reflection, with
-// the visible share of the sky in alpha, and empties GBuffer::reflection. Pixels without a surface show the sky.
+// the visible share of the sky in alpha, and empties GBuffer::reflection. Pixels without a surface show the sky. With
+// GBuffer::shadowMarks, lights that are in doubt at a pixel are left out there.
 class ShadePass {
  public:
   explicit ShadePass(const gl::Api& api);
 
-  void run(const FrameView& view, const GBuffer& gbuffer) const;
+  void run(const FrameView& view, const GBuffer& gbuffer);
 
  private:
   const gl::Api* api_;
-  gl::Program program_;
+  gl::Program program_, marked_;  // the second one, with marks, made on first use
 };
 
 }  // namespace halfsilver

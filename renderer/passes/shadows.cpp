@@ -71,7 +71,7 @@ std::vector<std::string> ShadowPass::run(const GpuScene& scene, std::span<const 
   LightListLimits limits;
   limits.resolution = resolutionOf(settings);
   limits.skyDirections = settings.skyDirections;
-  limits.mapsOfLights = settings.method == ShadowMethod::maps;
+  limits.mapsOfLights = settings.method != ShadowMethod::rays;
   const std::size_t layerBytes =
       sizeof(float) * static_cast<std::size_t>(limits.resolution) * static_cast<std::size_t>(limits.resolution);
   limits.layers = std::min<int>(api_->limits.arrayLayers, static_cast<int>(kMaxBytes / layerBytes));

@@ -45,8 +45,15 @@ bool mayLight(uint light, Surface s) {
   return reaches && dot(s.normal, toLight) > 0.0 && dot(s.geometricNormal, toLight) > 0.0;
 }
 
-// Radiance of a directional light or of one with a place. They share the look at the shadow map, which is most of it.
-vec3 directLight(uint light, Surface s, vec3 toEye) {
+// A direct light as a surface sees it.
+struct ReachedBy {
+  vec3 toLight;  // unit
+  vec3 color;    // without what is hidden
+  float lit;     // the share that the shadow map lets through, 0..1
+};
+
+// Of a directional light or of one with a place. They share the look at the shadow map, which is most of it.
+ReachedBy reachedBy(uint light, Surface s) {
   vec4 directionType = lightTexel(light, LIGHT_DIRECTION);
   vec4 colorTexel = lightTexel(light, LIGHT_COLOR);
   vec4 shadow = lightTexel(light, LIGHT_SHADOW);
@@ -71,7 +78,12 @@ vec3 directLight(uint light, Surface s, vec3 toEye) {
   vec2 gradient = positional ? vec2(0.0) : planeGradient(worldToMap, s.geometricNormal);
   float lit = sharpShadow(place.xyz / place.w, shadow.z + float(face), gradient);
   if (shadow.z < 0.0 || place.w <= 0.0) lit = 1.0;
-  return lit > 0.0 ? color * lit * shadeLight(s, toEye, toLight) : vec3(0.0);
+  return ReachedBy(toLight, color, lit);
+}
+
+vec3 directLight(uint light, Surface s, vec3 toEye) {
+  ReachedBy by = reachedBy(light, s);
+  return by.lit > 0.0 ? by.color * by.lit * shadeLight(s, toEye, by.toLight) : vec3(0.0);
 }
 
 vec3 directRadiance(Surface s, vec3 toEye) {

@@ -1,11 +1,16 @@
-// From triangle numbers to surfaces, one per pixel.
+// From triangle numbers to surfaces, one per pixel. With PRIMARY_RULES see primary_hit.glsl.
 #include "lib/triangle_point.glsl"
 #include "lib/evaluate_surface.glsl"
 #include "shared/passes/gbuffer.h"
+#ifdef PRIMARY_RULES
+#include "passes/primary_hit.glsl"
+#endif
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
+#ifndef PRIMARY_RULES
 layout(binding = UNIT_VISIBILITY) uniform usampler2D visibility;
+#endif
 layout(rgba32f, binding = IMAGE_POSITION) uniform writeonly image2D positionImage;
 layout(rgba32f, binding = IMAGE_NORMAL) uniform writeonly image2D normalImage;
 layout(rgba16f, binding = IMAGE_BASE_COLOR) uniform writeonly image2D baseColorImage;
@@ -21,7 +26,13 @@ void main() {
   if (pixel == ivec2(0)) signature = number;
   if (any(greaterThanEqual(pixel, ivec2(frame.width, frame.height)))) return;
   vec4 position = vec4(0.0), normal = vec4(0.0), baseColor = vec4(0.0), material = vec4(0.0), emissive = vec4(0.0);
+#ifdef PRIMARY_RULES
+  PrimaryHit hit = primaryHit(pixel);
+  uint visible = hit.visible;
+  if (!hit.known) position.w = -1.0;  // its color is interpolated
+#else
   uint visible = texelFetch(visibility, pixel, 0).x;
+#endif
   if (visible != 0u) {
     TrianglePoint point = pointOnTriangle(visible - 1u, pixelOrigin(pixel), pixelRay(pixel));
     float range = length(point.relative);

@@ -1,12 +1,32 @@
-// Deferred shading: direct light and sky light of every pixel, without reflections.
+// Deferred shading: direct light and sky light of every pixel, without reflections. With SHADOW_MARKS lights that are
+// in doubt at a pixel are left to rays, and the others are what the marks say.
 #include "lib/gbuffer_surface.glsl"
 #include "lib/lights.glsl"
 #include "lib/sky.glsl"
 #include "shared/passes/shade.h"
+#ifdef SHADOW_MARKS
+#include "lib/shadow_marks.glsl"
+#endif
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(binding = IMAGE_SHADED) writeonly uniform image2D shaded;
+
+#ifdef SHADOW_MARKS
+// Of the lights that nothing around the pixel is hidden from.
+vec3 undoubtedRadiance(ivec2 pixel, Surface s, vec3 toEye) {
+  vec3 radiance = vec3(0.0);
+  for (uint first = 0u; first < frame.directLights; first += LIGHTS_PER_MARK) {
+    uvec2 marks = marksOf(pixel, first);
+    uint pending = marks.x & ~marks.y;
+    while (pending != 0u) {
+      ReachedBy by = reachedBy(first + takeLight(pending), s);
+      radiance += by.color * shadeLight(s, toEye, by.toLight);
+    }
+  }
+  return radiance;
+}
+#endif
 
 void main() {
   ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
@@ -17,5 +37,10 @@ void main() {
     return;
   }
   Surface s = surfaceOfPixel(pixel, position.xyz);
-  imageStore(shaded, pixel, directLighting(s, normalize(-fromCamera(position.xyz))));
+  vec3 toEye = normalize(-fromCamera(position.xyz));
+  vec4 lit = directLighting(s, toEye);
+#ifdef SHADOW_MARKS
+  if (!s.unlit) lit.rgb += undoubtedRadiance(pixel, s, toEye);
+#endif
+  imageStore(shaded, pixel, lit);
 }

@@ -5,6 +5,7 @@
 
 #include "shared/passes/light_rays.h"
 #include "shared/passes/light_sums.h"
+#include "shared/passes/shadow_marks.h"
 
 namespace halfsilver {
 namespace {
@@ -85,11 +86,15 @@ void LightRays::begin(const gl::Program& program, const FrameView& view, const G
 void LightRays::lightPixels(const FrameView& view, std::span<const Light> lights, const Trace& trace, int batches,
                             LightRayFrame& frame) {
   if (lights.empty()) return;
-  if (!fromPixels_) {
-    fromPixels_ = gl::Program::compute(*api_, "effects/light_rays/from_pixels.comp");
-    add_ = gl::Program::compute(*api_, "effects/light_rays/add.comp");
-  }
   const GBuffer& gbuffer = view.gbuffer;
+  const bool marked = static_cast<bool>(gbuffer.shadowMarks);
+  gl::Program& fromPixels = fromPixels_[marked];
+  if (!fromPixels) {
+    std::vector<gl::Define> defines;
+    if (marked) defines.push_back({"SHADOW_MARKS"});
+    fromPixels = gl::Program::compute(*api_, "effects/light_rays/from_pixels.comp", defines);
+  }
+  if (!add_) add_ = gl::Program::compute(*api_, "effects/light_rays/add.comp");
   const int bands = pixelBands(view);
   const std::uint32_t capacity = capacityOf(view, lights, batches);
   for (int number = 0; number < bands; ++number) {
@@ -106,14 +111,15 @@ void LightRays::lightPixels(const FrameView& view, std::span<const Light> lights
     eachGroup(view, lights, std::max(1u, capacity / band.pixels),
               [&](std::uint32_t first, std::uint32_t count, std::uint32_t ray) {
                 follow(view, trace, frame.sums, band.firstPixel, capacity, frame, [&] {
-                  begin(fromPixels_, view, {first, count, ray}, capacity, frame);
+                  begin(fromPixels, view, {first, count, ray}, capacity, frame);
+                  if (marked) gbuffer.shadowMarks.bind(UNIT_SHADOW_MARKS);
                   gbuffer.position.bind(UNIT_POSITION);
                   gbuffer.normal.bind(UNIT_NORMAL);
                   gbuffer.baseColor.bind(UNIT_BASE_COLOR);
                   gbuffer.material.bind(UNIT_MATERIAL);
                   gbuffer.emissive.bind(UNIT_EMISSIVE);
                   gbuffer.visibility.bind(UNIT_VISIBILITY);
-                  overBand(fromPixels_);
+                  overBand(fromPixels);
                 });
               });
     const auto section = view.profiler.section("shade");

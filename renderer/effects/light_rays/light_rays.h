@@ -25,9 +25,10 @@ struct LightRayFrame {
   std::size_t bytes() const;
 };
 
-// Direct light by rays instead of shadow maps (shadow.method=rays): one ray from each surface to each light that it
-// faces, shadow.samples to one that has an extent. Opaque surfaces stop it, clear ones take their share. Few lights at
-// a time, so that the queues stay small; sums are in fixed point and depend on no order.
+// Direct light by rays instead of shadow maps (shadow.method=rays, or where maps are in doubt refined): one ray from
+// each surface to each light that it faces, shadow.samples to one that has an extent. Opaque surfaces stop it, clear
+// ones take their share. Few lights at a time, so that the queues stay small; sums are in fixed point and depend on no
+// order.
 class LightRays {
  public:
   // Has the frame's tracer answer a queue, in hits that it makes room for; `any`: that something is hit is enough.
@@ -41,7 +42,8 @@ class LightRays {
   // How often a frame whose rays come in one batch has a tracer trace; `shaded`: generations of hits.
   static std::uint32_t traces(const FrameView& view, std::span<const Light> lights, int shaded);
 
-  // After the deferred shading: adds to GBuffer::shaded. Sections "shade" and those of the tracer.
+  // After the deferred shading: adds to GBuffer::shaded; with GBuffer::shadowMarks, of the lights that are in doubt.
+  // Sections "shade" and those of the tracer.
   void lightPixels(const FrameView& view, std::span<const Light> lights, const Trace& trace, int batches,
                    LightRayFrame& frame);
   // What the reflected rays of a step hit: adds to EffectFrame::directLight, which the first generation begins.
@@ -65,7 +67,7 @@ class LightRays {
   const gl::Api* api_;
   RayCountPass count_;
   // Made on first use.
-  gl::Program fromPixels_, add_;
+  gl::Program fromPixels_[2], add_;                // [with GBuffer::shadowMarks]
   std::optional<SurfacePrograms> fromHits_[2][2];  // [queue of pixels][with HitSurface]
   std::optional<SurfacePrograms> gather_[2][2];    // [with HitSurface][last generation]
 };

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "shared/passes/light_sums.h"
+#include "shared/passes/shadow_marks.h"
 
 namespace halfsilver {
 namespace {
@@ -26,11 +27,12 @@ int WhittedEffect::generations(const Settings& settings, bool) const {
   return 1 + settings.trace.bounces + 1 + kPassedSurfaces;
 }
 
-const gl::Program& WhittedEffect::shading(const GpuScene& scene, bool camera, bool surfaces, bool last) {
-  std::optional<SurfacePrograms>& programs = shade_[camera][surfaces][last];
+const gl::Program& WhittedEffect::shading(const GpuScene& scene, Origin origin, bool surfaces, bool last) {
+  std::optional<SurfacePrograms>& programs = shade_[static_cast<std::size_t>(origin)][surfaces][last];
   if (!programs) {
     std::vector<gl::Define> defines;
-    if (camera) defines.push_back({"CAMERA_HITS"});
+    if (origin != Origin::hit) defines.push_back({"CAMERA_HITS"});
+    if (origin == Origin::markedCamera) defines.push_back({"SHADOW_MARKS"});
     if (surfaces) defines.push_back({"HIT_SURFACES"});
     if (last) defines.push_back({"LAST_GENERATION"});
     programs.emplace(*api_, "effects/whitted/shade.comp", std::move(defines));
@@ -42,7 +44,9 @@ void WhittedEffect::shade(const FrameView& view, const Settings& settings, const
                           const RayStep& step, RayQueue* next, EffectFrame& frame) {
   const auto section = view.profiler.section("shade");
   const bool camera = step.generation == 0, surfaces = static_cast<bool>(hits.surfaces);
-  const gl::Program& program = shading(view.scene, camera, surfaces, next == nullptr);
+  const bool marked = camera && view.gbuffer.shadowMarks;
+  const Origin origin = marked ? Origin::markedCamera : camera ? Origin::camera : Origin::hit;
+  const gl::Program& program = shading(view.scene, origin, surfaces, next == nullptr);
   // All generations have the room that the first one asks for, as far as a storage block has it.
   const std::uint64_t wanted = std::uint64_t{rays.capacity} * raysPerPixel(view);
   const std::uint64_t most = static_cast<std::uint64_t>(api_->limits.storageBlockBytes) / sizeof(shared::Ray);
@@ -52,6 +56,7 @@ void WhittedEffect::shade(const FrameView& view, const Settings& settings, const
   program.set("endsHere", step.generation >= settings.trace.bounces ? 1u : 0u);
   view.scene.bindSurfaces();
   view.shadows.bind();
+  if (marked) view.gbuffer.shadowMarks.bind(UNIT_SHADOW_MARKS);
   view.scene.sky.bind(UNIT_SKY);
   hits.hits.bindStorage(SSBO_HITS);
   if (surfaces) hits.surfaces.bindStorage(SSBO_HIT_SURFACES);

@@ -17,15 +17,18 @@ class WhittedEffect final : public CameraEffect {
   int batches(const FrameView& view, const Settings&, std::uint32_t maxRays) const override;
   int generations(const Settings& settings, bool) const override;
   bool showsLayers() const override { return true; }
+  bool readsShadowMarks() const override { return true; }
   // Section "shade".
   void shade(const FrameView& view, const Settings& settings, const RayQueue& rays, const Hits& hits,
              const RayStep& step, RayQueue* next, EffectFrame& frame) override;
 
  private:
-  const gl::Program& shading(const GpuScene& scene, bool camera, bool surfaces, bool last);
+  // Whose hits are shaded: rays of hits, the camera's, or those with GBuffer::shadowMarks.
+  enum class Origin { hit, camera, markedCamera };
+  const gl::Program& shading(const GpuScene& scene, Origin origin, bool surfaces, bool last);
 
   const gl::Api* api_;
-  std::optional<SurfacePrograms> shade_[2][2][2];  // made on first use: [the camera's hits][with HitSurface][last]
+  std::optional<SurfacePrograms> shade_[3][2][2];  // made on first use: [Origin][with HitSurface][last]
 };
 
 }  // namespace halfsilver

@@ -32,8 +32,10 @@ struct MemoryReport {  // bytes unless marked as counts
 
 struct FrameReport {
   std::uint64_t pixels = 0;
-  std::uint64_t reflecting = 0;  // pixels that select.mode takes
-  std::uint64_t selected = 0;    // of these, pixels that are traced
+  std::uint64_t resampled = 0;     // pixels that show a triangle of their neighborhood, see PrimarySettings
+  std::uint64_t interpolated = 0;  // pixels whose color is their neighbors'
+  std::uint64_t reflecting = 0;    // pixels that select.mode takes
+  std::uint64_t selected = 0;      // of these, pixels that are traced
   std::vector<std::uint32_t>
       contributions;  // reflecting pixels of select.fraction by contribution, in classes of equal ratio
   std::array<std::uint64_t, 8> rays{};  // traced, by RAY_... of shaders/shared/rays.h

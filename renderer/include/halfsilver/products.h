@@ -105,6 +105,12 @@ struct GBuffer {
   gl::Texture shaded;      // RGBA32F: deferred radiance, a sky visibility
   gl::Texture reflection;  // RGBA32F: radiance of the traced rays, a 1 if traced
   gl::Texture motion;      // RG32F: pixels since the frame before, right and up; only if image.motion asks for it
+  // RG32UI array, a layer per 32 direct lights: bits of those that the shadow maps let through somewhere in a pixel's
+  // neighborhood, and of those that they hide; in both: in doubt. Only with shadow.method = refined.
+  gl::Texture shadowMarks;
+  // With PrimarySettings that test or leave out: pixels whose position.w is -1 are interpolated.
+  gl::Texture tested;        // R32UI, takes turns with visibility; only while hits are tested
+  gl::Buffer primaryCounts;  // uint[2]: pixels whose triangle a neighbor knew, and that are interpolated
   // uint: the number of the last frame that the GPU has run here, which is `number` unless it runs nothing or was
   // reset.
   gl::Buffer signature;

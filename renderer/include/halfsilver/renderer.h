@@ -153,7 +153,9 @@ class Renderer {
 
   // The frame that finish() ended last as the layers of the contract (R G B A, depth.Z, normal.X/Y/Z, reflectivity.Y,
   // selected.Y, hit.T, hit.id, hit.nx/ny/nz, reflection.R/G/B; with image.motion also motion.X/Y, pixels to the right
-  // and down since the frame before; if readRayWork() is possible also work.steps and work.tests), rows from the top.
+  // and down since the frame before; with shadow.method = refined also shadow.marked and shadow.lit, how many direct
+  // lights' shadows rays decide at a pixel and how many light it by their maps; if readRayWork() is possible also
+  // work.steps and work.tests), rows from the top.
   // After refine(), R G B A are the mean of all samples and the other layers those of the last one; with
   // image.antialiasing = temporal likewise of the frames joined. R G B are radiance, so fxaa does not show in them.
   // Waits for the GPU. With frames under way, only until a begin() takes the memory of that frame.

@@ -7,6 +7,8 @@
 #include <halfsilver/methods/attributes.h>
 #include <halfsilver/methods/depth_cube.h>
 #include <halfsilver/methods/identity.h>
+#include <halfsilver/primary_settings.h>
+#include <halfsilver/shadow_settings.h>
 
 // Every setting of the renderer, with its unit, range and default. Defaults live here and nowhere else; a preset in
 // config/ names only what it changes. Those of one method are in methods/. Settings are read and written by name
@@ -118,22 +120,6 @@ struct EffectSettings {
   bool operator==(const EffectSettings&) const = default;
 };
 
-// How the direct lights' shadows are found, in the deferred shading and in reflections; effects that follow light on
-// their own (RayEffect::bringsAllLight) are not asked.
-enum class ShadowMethod {
-  maps,
-  rays  // to each light from every surface; shadows of rectangles and spheres are soft
-};
-
-struct ShadowSettings {
-  ShadowMethod method = ShadowMethod::maps;
-  int resolution = 864;    // texels, of each shadow map, 16..8192
-  int skyDirections = 10;  // shadowed directions that stand for the sky, 0..32; 0: unshadowed sky light
-  int samples = 8;         // rays to a light that has an extent, 1..64
-
-  bool operator==(const ShadowSettings&) const = default;
-};
-
 struct ImageSettings {
   float exposure = 0;  // stops, -20..20
   ToneMap toneMap = ToneMap::filmic;
@@ -145,6 +131,7 @@ struct ImageSettings {
 
 struct Settings {
   SceneSettings scene;
+  PrimarySettings primary;
   SelectSettings select;
   VoxelSettings voxels;
   ABufferSettings abuffer;

@@ -2,6 +2,9 @@
 #include "effects/common/send_on.glsl"
 #include "lib/light_sample.glsl"
 #include "lib/random.glsl"
+#ifdef SHADOW_MARKS
+#include "lib/shadow_marks.glsl"
+#endif
 
 uniform uint firstLight;  // of those that this dispatch is about
 uniform uint lightCount;
@@ -11,6 +14,9 @@ uniform uint number;  // of the ray to each light; only lights that have an exte
 void sendToLights(Surface s, vec3 toEye, uint triangle, uint pixel, vec3 throughput, float pathLength, uint purpose) {
   if (s.unlit) return;
   for (uint light = firstLight; light < firstLight + lightCount; ++light) {
+#ifdef SHADOW_MARKS
+    if (!isMarked(ivec2(pixel % frame.width, pixel / frame.width), light)) continue;
+#endif
     int type = int(lightTexel(light, LIGHT_DIRECTION).w);
     bool extended = type == LIGHT_RECTANGLE || type == LIGHT_SPHERE;
     if (!extended && number != 0u) continue;

@@ -2,6 +2,9 @@
 #include "effects/common/send_through.glsl"
 #include "lib/light_sample.glsl"
 #include "lib/random.glsl"
+#ifdef SHADOW_MARKS
+#include "lib/shadow_marks.glsl"
+#endif
 
 uniform uint pass;
 uniform uint endsHere;  // what this surface reflects and lets pass is not traced: the sky stands in
@@ -63,6 +66,14 @@ void sendToLights(Meeting m, vec3 base, float coat) {
     if (coat > 0.0) scattered += coat * shadeLight(film, -m.direction, to.toLight);
     vec3 throughput = m.throughput * scattered * to.light;
     if (all(lessThanEqual(throughput, vec3(0.0)))) continue;
+#ifdef SHADOW_MARKS
+    // What the shadow maps are certain of needs no ray; a coat has a normal that they do not know.
+    ivec2 pixel = ivec2(m.pixel % frame.width, m.pixel / frame.width);
+    if (coat <= 0.0 && !isMarked(pixel, light)) {
+      if (isLit(pixel, light)) addLight(m.pixel, throughput);
+      continue;
+    }
+#endif
     sendRay(m, RAY_SHADOW, WAY_TO_LIGHT, to.toLight, distanceBefore(to), throughput, m.before);
   }
 }

@@ -1,5 +1,6 @@
 // What the rays found shines, is lit by rays to all lights, and sends on what it reflects and lets pass.
-// With CAMERA_HITS rays are the camera's, with LAST_GENERATION nothing is sent on.
+// With CAMERA_HITS rays are the camera's, with SHADOW_MARKS the lights that these see for certain need no rays, with
+// LAST_GENERATION nothing is sent on.
 #include "effects/common/light_sums.glsl"
 #include "effects/common/meeting.glsl"
 #include "lib/lights.glsl"
