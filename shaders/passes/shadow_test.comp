@@ -8,6 +8,8 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(binding = IMAGE_SHADOW_MARKS, rg32ui) writeonly uniform uimage2DArray marksImage;
 
+const float LEAST = 1e-4;  // of an answer: the weights of a filter are 1 together but for rounding
+
 bool mapKnows(uint light) {
   int type = int(lightTexel(light, LIGHT_DIRECTION).w);
   return type != LIGHT_RECTANGLE && type != LIGHT_SPHERE && lightTexel(light, LIGHT_SHADOW).z >= 0.0;
@@ -34,8 +36,8 @@ void main() {
     while (pending != 0u) {
       uint i = takeLight(pending);
       float lit = reachedBy(first + i, s).lit;
-      if (lit > 0.0) marks.x |= 1u << i;
-      if (lit < 1.0) marks.y |= 1u << i;
+      if (lit > LEAST) marks.x |= 1u << i;
+      if (lit < 1.0 - LEAST) marks.y |= 1u << i;
     }
   }
   imageStore(marksImage, ivec3(pixel, layer), uvec4(marks, 0u, 0u));

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -103,6 +104,50 @@ TEST(BenchPaper, OneCommandMeasuresAPaper) {
   const ProgramResult again = runProgramIn(folder, command, "HALFSILVER_SCENES= ");
   EXPECT_EQ(again.exitCode, 0) << again.err;
   EXPECT_EQ(again.out, result.out);
+}
+
+TEST(BenchPaper, RefinedShadowsAreCountedByWhetherRaysDecideThem) {
+  const TemporaryFolder folder;
+  const ProgramResult result =
+      runProgramIn(folder, "paper beck2005 -o DIR --quick --size 96x72", "HALFSILVER_SCENES= ");
+  ASSERT_EQ(result.exitCode, 0) << result.err;
+  std::ifstream file(folder.path() / "DIR" / "paper.json");
+  const nlohmann::json record = nlohmann::json::parse(file);
+  int refined = 0;
+  for (const auto& point : record["points"]) {
+    if (point["settings"]["shadow.method"] != "refined" || point["shadows"].is_null()) continue;
+    ++refined;
+    const auto& shadows = point["shadows"];
+    EXPECT_GT(shadows["marked"], 0) << point["row"];
+    EXPECT_LT(shadows["marked"], shadows["pixels"]) << point["row"];
+    EXPECT_EQ(shadows["wrong_marked"], 0) << point["row"];
+    EXPECT_EQ(point["error"]["hit_error"], 0) << point["row"];
+  }
+  EXPECT_GT(refined, 12);
+}
+
+TEST(BenchPaper, TheSharesOfABufferAddUp) {
+  const TemporaryFolder folder;
+  const ProgramResult result =
+      runProgramIn(folder, "paper robert2007 -o DIR --quick --size 80x60", "HALFSILVER_SCENES= ");
+  ASSERT_EQ(result.exitCode, 0) << result.err;
+  EXPECT_NE(result.out.find("Table 3"), std::string::npos);
+  std::ifstream file(folder.path() / "DIR" / "paper.json");
+  const nlohmann::json record = nlohmann::json::parse(file);
+  int left = 0;
+  for (const auto& point : record["points"]) {
+    const std::uint64_t interpolated = point["interpolated"], pixels = point["pixels"]["total"];
+    if (point["settings"]["primary.every"] == 2) {
+      ++left;
+      EXPECT_GE(interpolated, pixels / 2) << point["row"];
+    } else {
+      EXPECT_LT(interpolated, pixels / 20) << point["row"];
+    }
+    if (point["settings"]["primary.hits"] == "raster" && point["settings"]["primary.every"] == 1) {
+      EXPECT_EQ(point["error"]["hit_error"], 0) << point["row"];
+    }
+  }
+  EXPECT_EQ(left, 9);
 }
 
 TEST(BenchPaper, AnUnknownPaperIsToldWithThoseThatThereAre) {

@@ -1,12 +1,15 @@
 #include "bench/modes/paper/paper.h"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include <halfsilver/error.h>
+#include <halfsilver/shared_structs.h>
 #include "apps/drawing.h"
 #include "bench/modes/paper/published.h"
 #include "bench/modes/paper/report.h"
@@ -32,6 +35,28 @@ Size sizeOf(const Paper& paper, const Request& request) {
 
 double frameOf(const RunStatistics& run) { return timedFrame(run).times.frame.median; }
 
+// Nothing if the layers do not say which shadows are in doubt.
+std::optional<ShadowDoubts> doubtsOf(const Image& layers, const Image& truth) {
+  if (std::find(layers.channels.begin(), layers.channels.end(), "shadow.marked") == layers.channels.end()) return {};
+  const auto at = [](const Image& image, std::size_t pixel, const char* channel) {
+    return image.data[pixel * image.channels.size() + static_cast<std::size_t>(image.channel(channel))];
+  };
+  ShadowDoubts doubts;
+  for (std::size_t pixel = 0; pixel < layers.pixelCount(); ++pixel) {
+    if (at(truth, pixel, "depth.Z") <= 0) continue;
+    ++doubts.pixels;
+    bool wrong = false;
+    for (const char* channel : {"R", "G", "B"}) {
+      const float found = at(layers, pixel, channel), expected = at(truth, pixel, channel);
+      wrong = wrong || std::abs(found - expected) > 1e-3f * std::max({std::abs(found), std::abs(expected), 1e-6f});
+    }
+    const bool marked = at(layers, pixel, "shadow.marked") > 0;
+    doubts.marked += marked;
+    (marked ? doubts.wrongMarked : doubts.wrongUnmarked) += wrong;
+  }
+  return doubts;
+}
+
 PaperResult measure(Workbench& bench, const OutputFolder& folder, const BenchScene& scene, const PublishedRow& row,
                     const Size& size, bool quick, const std::string& picture) {
   RunStatistics run = bench.describe(scene, row.settings);
@@ -46,15 +71,20 @@ PaperResult measure(Workbench& bench, const OutputFolder& folder, const BenchSce
     run.stages = times.summarize();
     if (frameOf(run) > kLongFrame) break;
   }
-  PaperResult result{timedFrame(run), {}};
+  PaperResult result{timedFrame(run),        {}, {}, run.report.rays[RAY_SHADOW], run.report.resampled,
+                     run.report.interpolated};
   if (row.picture) savePicture(folder, picture, bench);
   const std::string& method = row.settings.trace.method;
-  if (method == "none" || method == "exact" || !exactFactory(scene.model.scene, 0)) return result;
+  const bool isTruth = !row.truth && (method == "none" || method == "exact");
+  if (isTruth || !exactFactory(scene.model.scene, 0)) return result;
   const Image layers = bench.layers();
   RunStatistics truth = run;
+  if (row.truth) truth.settings = *row.truth;
   truth.settings.trace.method = "exact";
   bench.draw(scene, truth);
-  result.error = errorOf(layers, bench.layers(), scene.diagonal);
+  const Image expected = bench.layers();
+  result.error = errorOf(layers, expected, scene.diagonal);
+  result.shadows = doubtsOf(layers, expected);
   return result;
 }
 

@@ -75,6 +75,14 @@ PaperScenes paperScenes(const std::string& folder, bool quick) {
         (there ? std::string(name) + ".glb, all of it a mirror"
                : std::string(otherwise) + " stands for it; --scenes names a folder with " + name + ".glb"));
   }
+  // Beck et al. have one directional light.
+  for (const char* name : {"sphere", "teapot", "Sponza"}) {
+    Light sun = lamp(LightType::directional, glm::vec3(0), glm::vec3(-0.4f, -1, -0.3f), 4);
+    scenes.push_back(litBy(result.of(name), std::string(name) + ", one sun", {sun}));
+  }
+  scenes.push_back(sceneOf("robots", "builtin:game", {}, {}));
+  result.standIns.emplace_back(
+      "robots: builtin:game, 75 k triangles with walking figures; the torus of Robert et al.: builtin:sphere");
   // Hu et al. name their lights, not where they are.
   const BenchScene& teapot = result.of("teapot");
   const glm::vec3 center = teapot.model.scene.bounds().center(), half = 0.5f * teapot.model.scene.bounds().extent();
@@ -102,7 +110,8 @@ PaperScenes paperScenes(const std::string& folder, bool quick) {
 }
 
 std::vector<Paper> publishedPapers(const PaperScenes& scenes, bool quick) {
-  return {kastrati2017(scenes, quick), hu2014(scenes, quick), burger2007(scenes, quick)};
+  return {kastrati2017(scenes, quick), hu2014(scenes, quick), burger2007(scenes, quick), beck2005(scenes, quick),
+          robert2007(scenes, quick)};
 }
 
 Quantity milliseconds(std::string name, double (*of)(const PaperPoint&)) { return {std::move(name), "ms", of}; }
@@ -110,5 +119,7 @@ Quantity milliseconds(std::string name, double (*of)(const PaperPoint&)) { retur
 double buildOf(const PaperPoint& point) { return point.times.voxelize.median + point.times.build.median; }
 
 double structureOf(const PaperPoint& point) { return static_cast<double>(point.memory.structureTotal) / 1e6; }
+
+double framesOf(const PaperPoint& point) { return 1000 / std::max(point.times.frame.median, 1e-6); }
 
 }  // namespace halfsilver::bench

@@ -29,6 +29,7 @@ struct PublishedRow {
   std::vector<std::optional<double>> values = {};  // the paper's, by column; none: not in its text, or a row of ours
   std::optional<std::size_t> base = {};            // the row that ratios are taken over
   bool picture = false;                            // is kept for the page
+  std::optional<Settings> truth = {};              // of what it is compared with; none: the same with exact rays
 };
 
 struct PublishedTable {
@@ -63,10 +64,13 @@ std::vector<Paper> publishedPapers(const PaperScenes& scenes, bool quick);
 Paper kastrati2017(const PaperScenes& scenes, bool quick);
 Paper hu2014(const PaperScenes& scenes, bool quick);
 Paper burger2007(const PaperScenes& scenes, bool quick);
+Paper beck2005(const PaperScenes& scenes, bool quick);
+Paper robert2007(const PaperScenes& scenes, bool quick);
 
 // What tables have in common.
 Quantity milliseconds(std::string name, double (*of)(const PaperPoint&));
 double buildOf(const PaperPoint& point);      // milliseconds: voxelize, build
 double structureOf(const PaperPoint& point);  // megabytes
+double framesOf(const PaperPoint& point);     // per second, if each stage follows the other
 
 }  // namespace halfsilver::bench
