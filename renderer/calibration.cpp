@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <limits>
 
+#include <halfsilver/error.h>
 #include <halfsilver/methods.h>
 
 namespace halfsilver {
@@ -20,6 +21,7 @@ class Measurement {
     once_ = inputs.settings;
     once_.effect.passes = 1;
     once_.effect.progressive = false;
+    once_.image.motion = false;
   }
 
   // The least time of a frame over a method; `best`: of the others.
@@ -27,8 +29,9 @@ class Measurement {
     once_.trace.method = method;
     draw();  // builds structures and compiles shaders
     double least = std::numeric_limits<double>::max();
+    // Each takes the same steps.
     for (int frame = 0; frame < kWarmFrames && (frame == 0 || least < kHopeless * best); ++frame) {
-      if (inputs_->advance) inputs_->advance(advanced_++);
+      if (inputs_->advance) inputs_->advance(frame);
       least = std::min(least, draw());
     }
     return least;
@@ -45,7 +48,6 @@ class Measurement {
   Renderer* renderer_;
   const CalibrationInputs* inputs_;
   Settings once_;
-  int advanced_ = 0;
 };
 
 std::string timesText(const std::vector<MethodTime>& measured) {
@@ -66,9 +68,22 @@ MethodChoice chooseMethod(Renderer& renderer, const CalibrationInputs& inputs) {
   Measurement measurement(renderer, inputs);
   MethodChoice choice;
   double best = std::numeric_limits<double>::max(), bestWeighed = best;
+  std::string refused;
   for (const MethodInfo& method : methods()) {
     if (!method.exact || !renderer.traces(method.name)) continue;
-    const double time = measurement.of(method.name, best);
+    double time = 0;
+    try {
+      time = measurement.of(method.name, best);
+    } catch (const Error& error) {
+      if (error.kind() != ErrorKind::failed) throw;
+      refused += "; " + method.name + ": " + error.what();  // its structure is too large for the device
+      continue;
+    }
+    const FrameReport& report = renderer.report();
+    if (report.overflow + report.lostFragments > 0) {
+      refused += "; " + method.name + " gives up rays";
+      continue;
+    }
     choice.measured.push_back({method.name, time});
     best = std::min(best, time);
     const double weighed = method.name == inputs.present ? time / kMethodHysteresis : time;
@@ -76,7 +91,8 @@ MethodChoice chooseMethod(Renderer& renderer, const CalibrationInputs& inputs) {
     bestWeighed = weighed;
     choice.method = method.name;
   }
-  choice.reason = "measured: " + timesText(choice.measured) + " per frame";
+  if (choice.measured.empty()) throw Error(ErrorKind::failed, "trace.method=auto: no method can draw this" + refused);
+  choice.reason = "measured: " + timesText(choice.measured) + " per frame" + refused;
   renderer.forgetHistory();
   return choice;
 }

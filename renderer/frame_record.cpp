@@ -7,6 +7,8 @@
 
 namespace halfsilver {
 
+static_assert(kShadowRays == RAY_SHADOW && kRayKinds == RAY_THROUGH + 1);
+
 std::size_t Frame::bytes() const {
   std::size_t sum = constants.bytes() + gbuffer.bytes() + effect.bytes() + hits.bytes() + lightRays.bytes();
   for (const RayBatch& batch : batches) sum += batch.bytes();

@@ -25,7 +25,7 @@ std::vector<shared::RayWork> Renderer::Impl::readWork() {
 // Who has answered the first rays, batch by batch; nothing if the method does not say so.
 std::vector<std::vector<std::uint32_t>> Renderer::Impl::readAnswers() const {
   std::vector<std::vector<std::uint32_t>> all;
-  if (!tracer) return all;
+  if (!tracer || effect->startsAtCamera()) return all;  // whose first rays nobody has traced
   for (const RayBatch& batch : frames[*shown].batches) {
     const gl::Buffer* answers = tracer->answers(batch.rays);
     if (!answers) return {};

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <random>
@@ -53,9 +54,12 @@ void write(const std::filesystem::path& file, const Json& choices) {
 }  // namespace
 
 std::string ChoiceKey::text() const {
-  return device + " | " + version + " | " + scene + " | " + std::to_string(triangles) + " triangles" +
-         (moves ? " in motion | " : " | ") + std::to_string(width) + "x" + std::to_string(height) + " | " + effect +
-         " | " + std::to_string(bounces);
+  std::string text = device + " | " + version + " | " + methods + " | " + scene + " | " + std::to_string(triangles) +
+                     " triangles" + (moves ? " in motion | " : " | ") + std::to_string(width) + "x" +
+                     std::to_string(height) + " | " + std::to_string(std::hash<std::string>()(rest));
+  for (char& c : text)
+    if (static_cast<unsigned char>(c) >= 0x80) c = '?';  // JSON has UTF-8 alone
+  return text + " | " + std::to_string(std::hash<std::string>()(scene));
 }
 
 std::filesystem::path choicesFile() {

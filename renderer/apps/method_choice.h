@@ -8,14 +8,13 @@
 // Choices of trace.method=auto, kept from run to run.
 namespace halfsilver {
 
-// What a choice depends on: device, scene, size of the picture, effect.
+// What a choice depends on: the device and the methods that there are, the scene, the view and the settings.
 struct ChoiceKey {
-  std::string device, version, scene;
+  std::string device, version, methods, scene;
   std::size_t triangles = 0;
   int width = 0, height = 0;
   bool moves = false;
-  std::string effect;
-  int bounces = 1;
+  std::string rest;  // all else, of any length
 
   std::string text() const;
 };
@@ -23,8 +22,8 @@ struct ChoiceKey {
 // Of cacheFolder(); empty if there is none.
 std::filesystem::path choicesFile();
 
-// The choice that a file holds, or a new one, which is added to the file. What cannot be read or written is no error:
-// then there is nothing to remember.
+// The choice that a file holds, or a new one, which is added to the file if something was measured. What cannot be read
+// or written is no error: then there is nothing to remember.
 MethodChoice rememberedChoice(const std::filesystem::path& file, const ChoiceKey& key,
                               const std::function<MethodChoice()>& choose);
 

@@ -219,7 +219,8 @@ void render(const RenderRequest& request) {
   WallClock clock;
   const std::optional<FrameRange> range = checkRequest(request);
   const ViewArguments arguments = checkView(request.view);
-  Settings settings = programSettings(request.view);
+  // What rays ask for is what a budget of memory can lower: other structures than that of identity hold all.
+  Settings settings = request.budgetMegabytes ? baseSettings(request.view) : programSettings(request.view);
   applyOverrides(settings, request.view);
   if (!request.exposure.empty())
     settings.image.exposure = parseExposure(request.exposure).value_or(settings.image.exposure);

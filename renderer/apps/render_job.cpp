@@ -1,8 +1,11 @@
 #include "apps/render_job.h"
 
-#include <string_view>
+#include <filesystem>
+#include <optional>
+#include <system_error>
 #include <utility>
 
+#include <halfsilver/methods.h>
 #include "apps/drawing.h"
 #include "apps/exposure.h"
 #include "apps/method_choice.h"
@@ -28,10 +31,27 @@ RunStatistics describeRun(const ViewRequest& request, const ViewArguments& argum
   return statistics;
 }
 
-std::string valueOf(const Settings& settings, std::string_view name) {
-  for (const SettingInfo& info : describe(settings))
-    if (info.name == name) return info.value;
-  return {};
+ChoiceKey keyOf(const RenderJob& job, const Camera& camera, const Settings& settings, bool moves) {
+  const RunStatistics& run = job.statistics;
+  ChoiceKey key{.device = run.device.renderer,
+                .version = run.device.version,
+                .methods = {},
+                .scene = run.sceneFile,
+                .triangles = run.triangles,
+                .width = run.width,
+                .height = run.height,
+                .moves = moves,
+                .rest = {}};
+  for (const MethodInfo& method : methods())
+    if (method.exact && job.renderer.traces(method.name)) key.methods += (key.methods.empty() ? "" : ",") + method.name;
+  if (std::error_code error; !key.scene.starts_with("builtin:"))
+    if (const auto whole = std::filesystem::canonical(key.scene, error); !error) key.scene = whole.string();
+  for (const SettingInfo& info : describe(settings)) key.rest += info.value + ' ';
+  for (const glm::vec3& place : {camera.eye, camera.target})
+    for (int axis = 0; axis < 3; ++axis) key.rest += std::to_string(place[axis]) + ' ';
+  for (const Material& material : job.view.model.scene.materials)
+    key.rest += std::to_string(material.mirror.value_or(-1)) + ' ';
+  return key;
 }
 
 }  // namespace
@@ -65,20 +85,19 @@ void exposeFor(RenderJob& job, const Camera& camera, Settings& settings) {
 void decideMethod(RenderJob& job, const Camera& camera, Settings& settings, const std::function<void(int)>& advance) {
   if (settings.trace.method != "auto") return;
   const RunStatistics& run = job.statistics;
-  const ChoiceKey key{.device = run.device.renderer,
-                      .version = run.device.version,
-                      .scene = run.sceneFile,
-                      .triangles = run.triangles,
-                      .width = run.width,
-                      .height = run.height,
-                      .moves = static_cast<bool>(advance),
-                      .effect = valueOf(settings, "trace.effect"),
-                      .bounces = settings.trace.bounces};
-  job.statistics.choice = rememberedChoice(choicesFile(), key, [&] {
-    return chooseMethod(job.renderer,
-                        {.camera = camera, .settings = settings, .target = job.target.target(), .advance = advance});
-  });
-  settings.trace.method = job.statistics.choice->method;
+  const CalibrationInputs inputs{
+      .camera = camera, .settings = settings, .target = job.target.target(), .advance = advance};
+  std::optional<MethodChoice>& choice = job.statistics.choice;
+  if (run.device.software)
+    choice = job.renderer.traces("exact") ? chooseMethod(job.renderer, inputs)
+                                          : MethodChoice{"identity", "the device draws in software", {}};
+  else
+    choice = rememberedChoice(choicesFile(), keyOf(job, camera, settings, static_cast<bool>(advance)), [&] {
+      MethodChoice chosen = chooseMethod(job.renderer, inputs);
+      if (job.renderer.report().selected == 0) chosen.measured.clear();  // where nothing is traced nothing is learned
+      return chosen;
+    });
+  settings.trace.method = choice->method;
 }
 
 void warnOfLosses(const FrameReport& report, std::vector<std::string>& warnings) {

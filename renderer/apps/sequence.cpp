@@ -115,30 +115,35 @@ void renderSequence(const SequenceRequest& request, Progress& progress, WallCloc
   settings.image.motion = settings.image.motion || !request.outputs.layers.empty();
   RenderJob job(request.view, request.arguments, settings, std::move(loaded), progress, clock);
 
+  const auto pose = [&](int frame) {
+    poseView(job.view, animations, timeOf(frame), request.view.loop);
+    job.renderer.pose(*job.view.state);
+  };
+  std::optional<int> drawn;
+  // Before a frame and all that is drawn for it.
+  const auto moveOrigin = [&](int frame) {
+    poseView(job.view, animations, timeOf(frame), request.view.loop);
+    if (!keepOriginNear(job.view, request.arguments.camera)) return;
+    show(job.view, job.renderer);
+    drawn.reset();
+  };
   // Motion is that since the frame before: if that one was not drawn, it is drawn now and not kept.
   const auto draw = [&](int frame, int samples, FrameReport& report) {
-    poseView(job.view, animations, timeOf(frame), request.view.loop);
-    if (keepOriginNear(job.view, request.arguments.camera))
-      show(job.view, job.renderer);
-    else
-      job.renderer.pose(*job.view.state);
+    pose(frame);
     return drawFirstFrame(job.renderer, chooseCamera(job.view, request.arguments.camera), settings, job.target.target(),
                           report, samples);
   };
   progress.show("calibration");
-  decideMethod(job, chooseCamera(job.view, request.arguments.camera), settings, [&](int step) {
-    poseView(job.view, animations, timeOf(frames.front() + step), request.view.loop);
-    job.renderer.pose(*job.view.state);
-  });
+  decideMethod(job, chooseCamera(job.view, request.arguments.camera), settings,
+               [&](int step) { pose(frames.front() + 1 + step); });
   job.statistics.settings = settings;
   clock.lap("calibration");
   if (request.automaticExposure) {
-    poseView(job.view, animations, timeOf(request.range.first), request.view.loop);
-    job.renderer.pose(*job.view.state);
+    moveOrigin(request.range.first);
+    pose(request.range.first);
     exposeFor(job, chooseCamera(job.view, request.arguments.camera), settings);
     job.statistics.settings = settings;
   }
-  std::optional<int> drawn;
   std::vector<std::string> warnings = job.statistics.warnings;
   Pace pace(frames.size());
   for (const int frame : frames) {
@@ -146,6 +151,7 @@ void renderSequence(const SequenceRequest& request, Progress& progress, WallCloc
     Outputs outputs(numbered(request.outputs, frame));
     RunStatistics statistics = job.statistics;
     statistics.samples = request.samples;
+    moveOrigin(frame);
     const bool moves = settings.image.motion && frame > 0;
     if (moves && drawn != frame - 1) draw(frame - 1, 1, statistics.report);
     if (draw(frame, request.samples, statistics.report) > 1 && moves) {
@@ -154,6 +160,7 @@ void renderSequence(const SequenceRequest& request, Progress& progress, WallCloc
       draw(frame, request.samples, statistics.report);
     }
     drawn = frame;
+    statistics.device = job.renderer.device();
     statistics.firstFrame = frame == frames.front();
     StageTimes times;
     times.add(statistics.report.times);

@@ -61,7 +61,7 @@ double coverage(const FrameReport& report) {
 }
 
 // Names of FrameReport::rays, of the kinds that there are.
-constexpr std::array kRayKinds{"reflection", "refraction", "shadow",    "occlusion",
+constexpr std::array kRayNames{"reflection", "refraction", "shadow",    "occlusion",
                                "scattered",  "through",    "by_screen", "by_structure"};
 constexpr std::size_t kByScreen = 6, kByStructure = 7;  // who has answered, of trace.method=screen-first
 
@@ -157,7 +157,7 @@ Json toJson(const RunStatistics& s) {
   json["pixels"]["resampled"] = s.report.resampled;
   json["pixels"]["interpolated"] = s.report.interpolated;
   json["rays"]["min_distance"] = s.report.minDistance;
-  for (std::size_t kind = 0; kind < kRayKinds.size(); ++kind) json["rays"][kRayKinds[kind]] = s.report.rays[kind];
+  for (std::size_t kind = 0; kind < kRayNames.size(); ++kind) json["rays"][kRayNames[kind]] = s.report.rays[kind];
   json["memory"] = {{"voxels", memory.voxels},
                     {"heads", memory.heads},
                     {"pool_reserved", memory.poolReserved},

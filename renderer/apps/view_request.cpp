@@ -128,7 +128,9 @@ Camera chooseCamera(const PosedView& view, const CameraRequest& request) {
 bool keepOriginNear(PosedView& view, const CameraRequest& request) {
   constexpr double kFar = 32;  // sizes of the scene at rest, as where a file's origin is chosen
   if (!view.state) return false;
-  const double size = static_cast<double>(view.model.scene.bounds().diagonal());
+  // Far away its vertices are rounded.
+  if (view.sizeAtRest == 0) view.sizeAtRest = view.model.scene.bounds().diagonal();
+  const double size = static_cast<double>(view.sizeAtRest);
   const Camera camera = chooseCamera(view, request);
   if (!(size > 0) || glm::length(glm::dvec3(camera.eye)) <= kFar * size) return false;
   const glm::dvec3 eye = view.model.scene.origin + glm::dvec3(camera.eye);

@@ -65,6 +65,7 @@ struct PosedView {
   std::optional<PoseState> state;               // nothing: the rest
   Bounds bounds;                                // of what is drawn: with a pose, of all that the animations do
   std::optional<AnimatedBounds> animated = {};  // if they had to be found
+  float sizeAtRest = 0;                         // diagonal, as it was loaded; 0 until keepOriginNear() asks for it
 };
 
 // With the pose at --time, if that is given. Throws Error: as loadModel(), and usage for an unknown animation.

@@ -77,7 +77,9 @@ void writeFile(const fs::path& path, std::span<const std::byte> header, std::spa
   if (!whole || error) ::unlink(temporary.c_str());
 }
 
-// Removes what was not used longest until the rest has few enough bytes.
+constexpr const char* kExtension = ".program";
+
+// Removes programs that were not used longest until the rest has few enough bytes.
 void prune(const fs::path& folder) {
   struct File {
     fs::path path;
@@ -89,7 +91,7 @@ void prune(const fs::path& folder) {
   std::error_code error;
   for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
     std::error_code gone;  // another process may remove files, too
-    if (!it->is_regular_file(gone)) continue;
+    if (it->path().extension() != kExtension || !it->is_regular_file(gone)) continue;  // the folder may hold more
     File file{it->path(), it->last_write_time(gone), it->file_size(gone)};
     if (gone) continue;
     sum += file.bytes;
@@ -131,7 +133,7 @@ std::string ProgramKey::file() const {
   constexpr char kDigits[] = "0123456789abcdef";
   std::string text;
   for (int shift = 60; shift >= 0; shift -= 4) text += kDigits[(name_ >> shift) & 15];
-  return text + ".program";
+  return text + kExtension;
 }
 
 bool keepsPrograms(const Api& api) { return !api.programFormats.empty() && !cacheFolder().empty(); }
@@ -153,6 +155,7 @@ GLuint loadProgram(const Api& api, const ProgramKey& key) {
   GLint linked = 0;
   api.GetProgramiv(program, GL_LINK_STATUS, &linked);
   if (!linked) {
+    for (int i = 0; i < 8 && api.GetError() != GL_NO_ERROR; ++i) continue;  // a refusal is no error of ours
     api.DeleteProgram(program);
     return 0;
   }

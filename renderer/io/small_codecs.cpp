@@ -133,8 +133,10 @@ bool chunksFit(std::span<const std::uint8_t> bytes) {
 bool tablesFit(std::span<const std::uint8_t> bytes) {
   constexpr std::uint8_t kTables = 0xc4, kFirstBare = 0xd0, kEnd = 0xd9;
   const auto byteAt = [&](std::size_t at) { return at < bytes.size() ? bytes[at] : std::uint8_t{0}; };
-  if (byteAt(0) != 0xff || byteAt(1) != 0xd8) return true;  // no JPEG
-  for (std::size_t at = 2; at < bytes.size();) {
+  std::size_t start = 0;
+  while (byteAt(start) == 0xff) ++start;                 // filling
+  if (start == 0 || byteAt(start) != 0xd8) return true;  // no JPEG
+  for (std::size_t at = start + 1; at < bytes.size();) {
     if (bytes[at++] != 0xff) continue;  // of a scan, or filling
     while (byteAt(at) == 0xff) ++at;
     const std::uint8_t marker = byteAt(at++);

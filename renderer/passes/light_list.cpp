@@ -178,6 +178,25 @@ struct Shares {
   int directions = 0;
 };
 
+// A light without shadows is worse than one whose maps are coarse: boxes go until the layers suffice for all lights,
+// those around the eye first (the largest), then the core. The whole stays.
+void keepRoomForLights(std::span<const Light> lights, const LightListLimits& limits, std::size_t around,
+                       std::vector<Bounds>& nested, std::vector<std::string>& warnings) {
+  const auto wanted = [&] {
+    int layers = 0;
+    for (const Light& light : lights) layers += layersOf(light, nested.size());
+    return layers;
+  };
+  const std::size_t all = nested.size();
+  while (limits.mapsOfLights && nested.size() > 1 && wanted() > limits.layers) {
+    const std::size_t last = around > 0 ? --around : 0;
+    nested.erase(nested.begin() + static_cast<std::ptrdiff_t>(last));
+  }
+  if (nested.size() < all)
+    warnings.push_back("shadow maps: room for " + std::to_string(nested.size()) + " of " + std::to_string(all) +
+                       " maps of a directional light");
+}
+
 Shares share(std::span<const Light> lights, const LightListLimits& limits, std::size_t nested,
              std::vector<std::string>& warnings) {
   Shares shares;
@@ -358,6 +377,7 @@ LightList makeLightList(const Bounds& sceneBounds, std::span<const Light> lights
   if (!boxes.core.empty()) nested.push_back(core);
   nested.push_back(bounds);
   LightList list;
+  keepRoomForLights(lights, limits, boxes.around.size(), nested, list.warnings);
   const Shares shares = share(lights, limits, nested.size(), list.warnings);
   for (std::size_t i = 0; i < lights.size(); ++i)
     addLight(list, nested, core, lights[i], i < shares.shadowed, limits.resolution);

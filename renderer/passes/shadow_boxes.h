@@ -18,7 +18,8 @@ struct ShadowBoxes {
   bool operator==(const ShadowBoxes&) const = default;
 };
 
-// `resolution`: texels along a map. `eye`: relative to Scene::origin. Boxes move with the eye in steps of an eighth of
+// `resolution`: texels along a map. `eye`: where the camera is, of parallel rays what it looks at; relative to
+// Scene::origin. Boxes move with the eye in steps of an eighth of
 // their size, so that maps are kept meanwhile.
 ShadowBoxes shadowBoxes(std::span<const DrawCluster> clusters, const Bounds& whole, int resolution,
                         const glm::vec3& eye);

@@ -95,6 +95,7 @@ std::vector<std::string> ShadowPass::run(const GpuScene& scene, std::span<const 
   const gl::Texture::Shape& shape = out.maps.shape();
   if (!out.maps || shape.width != resolution || shape.depth != layers) {
     out.maps = {};
+    out.still = {};  // as many texels and layers
     out.maps = makeMaps(*api_, resolution, layers);
     drawn.clear();
   }

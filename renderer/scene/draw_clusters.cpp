@@ -61,6 +61,20 @@ Bounds boundsOf(const Scene& scene, std::uint32_t triangle) {
   return bounds;
 }
 
+// Which triangles of the list are far larger than all others: a sixteenth of the scene. Nothing if they are many.
+std::vector<bool> largeTriangles(const Scene& scene, std::span<const std::uint32_t> drawList) {
+  constexpr float kShare = 1.0f / 16;
+  constexpr std::ptrdiff_t kMost = 64;
+  Bounds all;
+  for (const std::uint32_t triangle : drawList) all.add(boundsOf(scene, triangle));
+  const float limit = kShare * longestSide(all);
+  std::vector<bool> large;
+  large.reserve(drawList.size());
+  for (const std::uint32_t triangle : drawList) large.push_back(longestSide(boundsOf(scene, triangle)) > limit);
+  if (std::count(large.begin(), large.end(), true) > kMost) large.assign(drawList.size(), false);
+  return large;
+}
+
 // A cluster that triangles are added to.
 struct Growing {
   Bounds bounds;
@@ -90,7 +104,7 @@ DrawClusters::DrawClusters(const Scene& scene, std::vector<std::uint32_t> drawLi
                            std::span<const PosedPart> posed)
     : drawList_(std::move(drawList)) {
   group(scene, ranges, posed, true);
-  // An order without neighbors is not one of things.
+  // An order without neighbors is not one of things; then a few large triangles are kept apart from all others.
   constexpr std::size_t kSeparate = 160;
   if (clusters_.size() > kSeparate + 2 * drawList_.size() / kTriangles) group(scene, ranges, posed, false);
 }
@@ -98,6 +112,7 @@ DrawClusters::DrawClusters(const Scene& scene, std::vector<std::uint32_t> drawLi
 void DrawClusters::group(const Scene& scene, std::span<const DrawRange> ranges, std::span<const PosedPart> posed,
                          bool byThing) {
   clusters_.clear();
+  const std::vector<bool> large = byThing ? std::vector<bool>(drawList_.size()) : largeTriangles(scene, drawList_);
   for (const DrawRange& range : ranges) {
     const std::uint32_t end = range.first + range.count;
     for (std::uint32_t next = range.first; next < end;) {
@@ -108,6 +123,7 @@ void DrawClusters::group(const Scene& scene, std::span<const DrawRange> ranges, 
       Growing growing;
       for (; next < end && growing.count < kTriangles && partOf(posed, drawList_[next]) == cluster.part; ++next) {
         const Bounds triangle = boundsOf(scene, drawList_[next]);
+        if (large[next] != large[cluster.first]) break;
         if (byThing && growing.count > 0 && growing.isForeign(triangle)) break;
         growing.add(triangle);
       }

@@ -28,6 +28,7 @@ std::uint64_t sumOfCounter(std::span<const std::uint32_t> counters, std::uint32_
 
 void addFragmentCounts(std::span<const std::uint32_t> counters, TracerMemory& memory) {
   memory.fragments = sumOfCounter(counters, COUNTER_FRAGMENTS);
+  memory.lostFragments += sumOfCounter(counters, COUNTER_LOST);
   for (std::uint32_t axis = 0; axis < 3; ++axis) memory.perAxis[axis] = sumOfCounter(counters, COUNTER_STORED_X + axis);
 }
 

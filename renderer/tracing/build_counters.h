@@ -33,7 +33,7 @@ class BuildCounters {
 
 // One kind of a copy of the counters, summed over its slots.
 std::uint64_t sumOfCounter(std::span<const std::uint32_t> counters, std::uint32_t kind);
-// TracerMemory::fragments and perAxis of a copy of the counters.
+// TracerMemory::fragments and perAxis of a copy of the counters; adds to lostFragments what was stored nowhere.
 void addFragmentCounts(std::span<const std::uint32_t> counters, TracerMemory& memory);
 
 }  // namespace halfsilver

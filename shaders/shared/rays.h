@@ -47,9 +47,9 @@ struct ScatteredPath {
   vec3 throughput;    // a shadow ray's: the light that it brings if nothing is in its way
   float pathLength;   // as above
   uint pixel;         // as above
-  uint kindAndSample; // RAY_... | sample << 8
+  uint kindAndSample; // RAY_... | sample << 8; of paths the sample has 8 bits, and surfaces passed are above them
   uint media;         // that the ray is in, see lib/media.glsl
-  float density;      // of choosing the direction, per solid angle; 0: there was no choice
+  float density;      // of choosing the direction, per solid angle; 0: no choice; of a path's ray to a light its weight
 };
 
 // Light of all passes and samples of a pixel: sums in fixed point, high * 16 + low * 2^-28, so that they depend on no

@@ -72,8 +72,10 @@ TEST_F(CalibrationTest, WhatMovesMovesBeforeEachMeasuredFrame) {
   withExact_ = false;
   std::vector<int> steps;
   choose(soup(50), {}, [&steps](int step) { steps.push_back(step); });
-  ASSERT_GE(steps.size(), 4u);
-  for (std::size_t i = 0; i < steps.size(); ++i) EXPECT_EQ(steps[i], static_cast<int>(i));
+  ASSERT_GE(steps.size(), 2u);
+  // Each candidate takes the same ones.
+  EXPECT_EQ(std::count(steps.begin(), steps.end(), 0), 2);
+  for (std::size_t i = 0; i < steps.size(); ++i) EXPECT_EQ(steps[i], steps[i] == 0 ? 0 : steps[i - 1] + 1);
 }
 
 }  // namespace

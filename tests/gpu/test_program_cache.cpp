@@ -70,6 +70,16 @@ TEST_F(ProgramCache, ASecondStartCompilesNothingAndShowsTheSame) {
   EXPECT_EQ(second.frame.layers.data, first.frame.layers.data);
 }
 
+TEST_F(ProgramCache, OnlyProgramsAreRemovedIfThereIsTooMuch) {
+  std::ofstream(folder() / "mine");
+  std::ofstream(folder() / "old.program");
+  for (const char* name : {"mine", "old.program"}) fs::resize_file(folder() / name, std::uintmax_t{300} << 20);
+  start();
+  EXPECT_TRUE(fs::exists(folder() / "mine"));
+  EXPECT_FALSE(fs::exists(folder() / "old.program"));
+  EXPECT_GT(files().size(), 20u);
+}
+
 TEST_F(ProgramCache, DamagedFilesAreCompiledAgainAndReplaced) {
   const Start whole = start();
   const auto expectSound = [&](const char* damage) {

@@ -4,6 +4,7 @@
 #include <random>
 
 #include "gpu/light_fixture.h"
+#include "passes/light_list.h"
 
 namespace halfsilver::testing {
 namespace {
@@ -125,6 +126,28 @@ TEST_F(ShadowTest, MapsAroundTheEyeStayUntilItHasGoneFar) {
   // A room has no need of them.
   EXPECT_TRUE(shadowBoxes(uploadScene(api, floorAndBox().scene).clusters.all(), {vec3(-10), vec3(10)}, 864, vec3(0))
                   .around.empty());
+}
+
+TEST_F(ShadowTest, MapsAroundTheEyeTakeNoLightsShadow) {
+  Scene scene;
+  const std::uint32_t white = addMaterial(scene, diffuse(vec3(1)));
+  addQuad(scene, vec3(0), {25000, 0, 0}, {0, 0, -25000}, white);
+  for (const float x : {-10000.0f, 10000.0f}) addBox(scene, {x, 0, 0}, {x + 1, 1, 1}, white);
+  const GpuScene uploaded = uploadScene(api, scene);
+  const Bounds& whole = uploaded.extents.bounds();
+  const ShadowBoxes boxes = shadowBoxes(uploaded.clusters.all(), whole, 8192, {10000, 2, 3});
+  ASSERT_GE(boxes.around.size(), 2u);
+  scene.lights = {sun({1, -1, 0}, kPi), sun({1, -1, 0.5f}, kPi), bulb({0, 5, 0}, 1)};
+  LightListLimits limits;
+  limits.skyDirections = 0;
+  limits.layers = 9;
+  const LightList list = makeLightList(whole, scene.lights, blackSky(), limits, boxes);
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_GE(list.lights[i].shadowLayer, 0.0f) << i;
+  EXPECT_LE(list.layers, 9);
+  ASSERT_EQ(list.warnings.size(), 1u);
+  EXPECT_NE(list.warnings[0].find("of a directional light"), std::string::npos);
+  limits.layers = 64;
+  EXPECT_TRUE(makeLightList(whole, scene.lights, blackSky(), limits, boxes).warnings.empty());
 }
 
 TEST_F(ShadowTest, SpotAndPointShadowsLieWhereGeometrySays) {
@@ -368,6 +391,26 @@ TEST_F(ShadowViewsTest, HoldAfterAnyMovesWhatFreshMapsDo) {
   }
   EXPECT_GT(different, 40u);
   EXPECT_GT(maps.bytes(), stillBytes);
+}
+
+TEST_F(ShadowViewsTest, MayBeMoreAfterAMove) {
+  Scene scene = roomOfPlates();
+  gpu = uploadScene(api, scene);
+  ShadowMaps maps;
+  drawn(scene, {}, maps);
+  for (std::uint32_t v = 0; v < 1024; ++v) scene.vertices[v].position.y += 0.05f;
+  drawn(scene, {.everything = false, .moved = updateScene(api, gpu, scene, {.moved = {{0, 1024}}})}, maps);
+  ASSERT_TRUE(maps.still);
+  const auto expectFresh = [&] {
+    const std::vector<float> depth = drawn(scene, {.everything = false, .moved = {}}, maps);
+    ShadowMaps fresh;
+    EXPECT_TRUE(depth == drawn(scene, {}, fresh));
+    EXPECT_LT(*std::min_element(depth.begin(), depth.end()), 0.5f);
+  };
+  scene.lights.push_back(bulb({0.2f, 0.1f, 0}, kPi));
+  expectFresh();
+  settings.shadow.resolution = 96;
+  expectFresh();
 }
 
 TEST_F(ShadowViewsTest, DrawOfAMoveWhatMovesAlone) {

@@ -27,8 +27,8 @@ constexpr double kRmse = 0.006;
 TEST_P(GoldenTest, LooksAsItDid) {
   const TemporaryFolder folder;
   const std::string scene = GetParam().scene;
-  const ProgramResult run =
-      runProgramIn(folder, "render builtin:" + scene + " --size " + GetParam().size + " -o " + scene + ".png");
+  const ProgramResult run = runProgramIn(
+      folder, "render builtin:" + scene + " --preset halfsilver --size " + GetParam().size + " -o " + scene + ".png");
   ASSERT_EQ(run.exitCode, 0) << run.err;
   const ImageFile picture = readImage(folder.path() / (scene + ".png"));
   const ImageFile golden =

@@ -169,6 +169,10 @@ TEST(Images, AJpegWhoseTableHasMoreCodesThanBytesIsRefused) {
   std::string problem;
   EXPECT_FALSE(decodeSmall(bytes, file, problem));
   EXPECT_EQ(problem, "not an image: a Huffman table has more codes than there are bytes");
+  std::vector<std::uint8_t> filled = bytes;
+  filled.insert(filled.begin(), 0xff);
+  EXPECT_FALSE(decodeSmall(filled, file, problem));
+  EXPECT_EQ(problem, "not an image: a Huffman table has more codes than there are bytes");
   Texture texture;
   EXPECT_FALSE(decodeRgba(bytes, texture));
   // What looks like a table in a comment is none: this fails for what it lacks.

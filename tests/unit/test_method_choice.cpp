@@ -6,6 +6,7 @@
 #include <string>
 
 #include "apps/method_choice.h"
+#include "apps/view_request.h"
 #include "temporary_folder.h"
 
 namespace halfsilver {
@@ -13,11 +14,12 @@ namespace {
 
 const ChoiceKey kKey{.device = "a GPU",
                      .version = "4.6",
+                     .methods = "identity,bvh",
                      .scene = "hall.glb",
                      .triangles = 12,
                      .width = 8,
                      .height = 6,
-                     .effect = "reflection"};
+                     .rest = "reflection"};
 
 struct Chooser {
   int asked = 0;
@@ -46,6 +48,10 @@ TEST(MethodChoice, IsRememberedForTheSameDeviceAndScene) {
   other.device = "another GPU";
   chosen(file, other, chooser);
   EXPECT_EQ(chooser.asked, 3);
+  other = kKey;
+  other.methods = "identity,bvh,exact";
+  chosen(file, other, chooser);
+  EXPECT_EQ(chooser.asked, 4);
 }
 
 TEST(MethodChoice, AFileThatCannotBeReadOrWrittenIsNoError) {
@@ -85,6 +91,24 @@ TEST(MethodChoice, TheOldestGoFirst) {
   key.width = 299;
   chosen(folder / "methods.json", key, chooser);
   EXPECT_EQ(chooser.asked, 301);
+}
+
+TEST(ProgramSettings, TakeAutoUnlessAMethodOrItsStructureIsMeant) {
+  const auto methodOf = [](const std::vector<std::string>& set, const std::string& preset = {}) {
+    ViewRequest request;
+    request.set = set;
+    request.preset = preset;
+    Settings settings = programSettings(request);
+    applyOverrides(settings, request);
+    return settings.trace.method;
+  };
+  EXPECT_EQ(methodOf({}), "auto");
+  EXPECT_EQ(methodOf({"shadow.method=rays", "trace.bounces=2"}), "auto");
+  EXPECT_EQ(methodOf({"voxels.resolution=64"}), "identity");
+  EXPECT_EQ(methodOf({"trace.stage=fragment"}), "identity");
+  EXPECT_EQ(methodOf({"trace.method=bvh"}), "bvh");
+  EXPECT_EQ(methodOf({}, "halfsilver"), "identity");
+  EXPECT_EQ(methodOf({}, "reference"), "exact");
 }
 
 }  // namespace

@@ -92,7 +92,7 @@ class Measurement {
     bench_->draw(scene, run, kFrames);
     EffectResult result;
     static_cast<TimedFrame&>(result) = timedFrame(run);
-    result.rays = std::accumulate(run.report.rays.begin(), run.report.rays.end(), std::uint64_t{0});
+    result.rays = std::accumulate(run.report.rays.begin(), run.report.rays.begin() + kRayKinds, std::uint64_t{0});
     if (result.rays > 0)
       result.microsecondsPerRay = 1000 * result.times.trace.median / static_cast<double>(result.rays);
     result.rmse = rmseOf(bench_->layers(), truth);

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include <halfsilver/error.h>
-#include <halfsilver/shared_structs.h>
 #include "apps/drawing.h"
 #include "bench/modes/paper/published.h"
 #include "bench/modes/paper/report.h"
@@ -71,7 +70,7 @@ PaperResult measure(Workbench& bench, const OutputFolder& folder, const BenchSce
     run.stages = times.summarize();
     if (frameOf(run) > kLongFrame) break;
   }
-  PaperResult result{timedFrame(run),        {}, {}, run.report.rays[RAY_SHADOW], run.report.resampled,
+  PaperResult result{timedFrame(run),        {}, {}, run.report.rays[kShadowRays], run.report.resampled,
                      run.report.interpolated};
   if (row.picture) savePicture(folder, picture, bench);
   const std::string& method = row.settings.trace.method;

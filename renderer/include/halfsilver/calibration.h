@@ -37,7 +37,7 @@ struct CalibrationInputs {
   std::function<void(int)> advance = {};
 };
 
-// Draws a few frames with each candidate, three or four seconds of a GPU's time at most. On a software rasterizer there
+// Draws up to four frames with each candidate, the first of which builds its structure. On a software rasterizer there
 // is nothing to measure if CPU rays are at hand: they take a fraction of the time. The renderer holds a scene;
 // afterwards it has none of the structures that it had. Throws as Renderer::render().
 MethodChoice chooseMethod(Renderer& renderer, const CalibrationInputs& inputs);

@@ -1,11 +1,15 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
 
 namespace halfsilver {
+
+// Of FrameReport::rays: RAY_... of shaders/shared/rays.h.
+inline constexpr std::size_t kShadowRays = 2, kRayKinds = 6;
 
 struct StageTime {
   // "pose", "shadow", "gbuffer", "select", "voxelize", "build", "trace", "shade", "composite", "frame"
@@ -38,7 +42,8 @@ struct FrameReport {
   std::uint64_t selected = 0;      // of these, pixels that are traced
   std::vector<std::uint32_t>
       contributions;  // reflecting pixels of select.fraction by contribution, in classes of equal ratio
-  std::array<std::uint64_t, 8> rays{};  // traced, by RAY_... of shaders/shared/rays.h
+  std::array<std::uint64_t, 8>
+      rays{};             // traced, by kind; behind the kinds those that the screen and a structure answer
   float minDistance = 0;  // nearer hits may be ignored, meters: eight rounding steps of the scene's largest coordinate
   std::uint32_t passes = 1;  // that the picture is the mean of
   std::vector<StageTime> times;

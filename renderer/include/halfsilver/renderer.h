@@ -55,10 +55,9 @@ class Renderer {
 
   DeviceInfo device() const;
 
-  // Whether calls leave the GL state that they touch as they found it: they do unless told otherwise. For that they ask
-  // the driver for some 700 values each time, and every answer makes its threads wait for one another. A caller that
-  // sets all that it needs after each call can spare that: calls then ask for nothing, and leave bindings, capabilities
-  // and all other state as it happens to be.
+  // Whether calls leave the GL state that they touch as they found it: they do unless told otherwise, and ask the
+  // driver for some 700 values each time, every answer of which is a wait. A caller that sets all that it needs after
+  // each call can spare that: calls then leave all state as it happens to be.
   void restoreState(bool restores);
 
   // Whether it has a tracer of that method: its own, or one that was brought.

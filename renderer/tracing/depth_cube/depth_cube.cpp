@@ -207,7 +207,6 @@ void DepthCube::addCounts(std::span<const std::uint32_t> counters, TracerMemory&
   addFragmentCounts(counters, memory);
   memory.fragmentsStored = memory.perAxis[0] + memory.perAxis[1] + memory.perAxis[2];
   memory.poolUsed = memory.fragmentsStored * static_cast<std::uint64_t>(memory.bytesPerFragment);
-  memory.lostFragments = sumOfCounter(counters, COUNTER_LOST);
 }
 
 }  // namespace halfsilver

@@ -30,9 +30,10 @@ gl::Buffer movedVertices(const gl::Api& api, std::span<const VertexRange> ranges
   return gl::makeBuffer<GLuint>(api, words, "moved vertices");
 }
 
-// BuildStep of tracing/identity/build_step.glsl.
+// BuildStepBlock of tracing/common/projections.glsl.
 struct BuildStep {
   GLint secondStep, ownAxis;
+  GLint padding[2];  // blocks are multiples of 16 bytes
 };
 
 const std::array kBuildDefines{gl::Define{"BUILD_STEP", std::to_string(UBO_BUILD_STEP)}};
@@ -134,7 +135,7 @@ void RunBuilder::dispatchForBuilds(const gl::Program& program, std::size_t argum
 }
 
 void RunBuilder::visitBuilds(bool secondStep, const GpuScene& scene, const RunStore& store) {
-  const BuildStep step{secondStep ? 1 : 0, store.ownAxis() ? 1 : 0};
+  const BuildStep step{secondStep ? 1 : 0, store.ownAxis() ? 1 : 0, {}};
   step_.write(0, &step, sizeof(step));
   step_.bindUniform(UBO_BUILD_STEP);
   for (const gl::Program* program : {&build_.small, &build_.large, &buildPaired_}) store.entryLayout().apply(*program);

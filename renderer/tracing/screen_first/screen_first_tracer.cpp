@@ -23,7 +23,9 @@ Method ScreenFirstTracer::method(const Method& structure) {
   MethodInfo info{.name = "screen-first",
                   .help = "the screen where it is certain, " + structure.info.name + " for all other rays",
                   .settings = structure.info.settings};
-  return {std::move(info), [make = structure.make](const gl::Api& api, const Settings& settings) {
+  std::erase(info.settings, "trace.count_work");  // what the screen does is not counted
+  return {std::move(info), [make = structure.make](const gl::Api& api, Settings settings) {
+            settings.trace.countWork = false;
             return std::make_unique<ScreenFirstTracer>(api, settings, make(api, settings));
           }};
 }

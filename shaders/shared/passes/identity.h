@@ -11,7 +11,7 @@
 #define SSBO_TRIANGLE_BLOCKS 8  // BoundedBlock[blocks of triangles]
 #define SSBO_COMPACTED_RUNS 9   // uint[]: where compaction moves runs to
 #define SSBO_MOVED_VERTICES 10  // MovedVertices
-#define UBO_BUILD_STEP 1        // BuildStep, see tracing/identity/build_step.glsl
+#define UBO_BUILD_STEP 1        // BuildStepBlock, see tracing/common/projections.glsl
 
 // Voxels along a side of a brick. A brick's state is the place of its run, or one of these.
 #define BRICK_SHIFT 2

@@ -5,7 +5,12 @@
 #include "tracing/common/triangle_normal.glsl"
 
 #ifdef BUILD_STEP
-#include "tracing/identity/build_step.glsl"
+// Which step of a build the program takes, and how. In a block: some drivers compile a program anew for values of plain
+// uniforms that decide branches, and the two steps would no longer be one program. BUILD_STEP is the block's binding.
+layout(std140, binding = BUILD_STEP) uniform BuildStepBlock {
+  int secondStep;  // 0: entries are counted, 1: stored
+  int ownAxis;     // 1: each triangle in its own dominant axis
+};
 #else
 uniform int ownAxis;  // 1: each triangle in its own dominant axis
 #endif

@@ -30,7 +30,8 @@ const float BEFORE = 0.999;
 float depthOf(ivec2 pixel) {
   if (any(lessThan(pixel, ivec2(0))) || any(greaterThanEqual(pixel, ivec2(frame.width, frame.height)))) return FAR_AWAY;
   float depth = texelFetch(gPosition, pixel, 0).w;
-  if (depth <= 0.0) depth = FAR_AWAY;
+  if (depth < 0.0) return 0.0;  // a surface that nobody knows (PrimarySettings): nothing is certain
+  if (depth == 0.0) depth = FAR_AWAY;
   if (backsCount == 0) return depth;
   float nearest = metersOf(texelFetch(backDepths, pixel, 0).r);
   return nearest < BEFORE * depth ? -nearest : depth;

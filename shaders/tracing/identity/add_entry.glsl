@@ -3,6 +3,9 @@
 // place, or in another run's.
 #define RUN_ACCESS
 #include "shared/passes/identity.h"
+#ifndef BUILD_STEP
+#define BUILD_STEP UBO_BUILD_STEP
+#endif
 #include "shared/tracing.h"
 #include "tracing/common/counters.glsl"
 #include "tracing/common/projections.glsl"
@@ -23,7 +26,10 @@ void addEntry(ivec3 voxel, uint triangle, int axis) {
   uint build = state - BRICK_REQUESTED, place = atomicAdd(builds[build].next[voxelInBrick(voxel)], 1u);
   if (secondStep == 1) {
     int side;
-    if (place >= listOf(builds[build].run, voxel, side).y) return;
+    if (place >= listOf(builds[build].run, voxel, side).y) {
+      countAt(COUNTER_LOST, voxel.xy);
+      return;
+    }
     // The box comes later, for which the voxel holds the place: few of the voxels visited have a list to be filled.
     runs[place] = packEntry(triangle, boxSlices > 0 ? voxelInBrick(voxel) : 0u);
   }
