@@ -43,7 +43,7 @@ Model makeFigures() {
       const double at = kHeight / kJoints * joint;
       parent = addNode(model.rig, "joint", parent, joint == 0 ? dvec3(0) : kHeight / kJoints * kY);
       skin.joints.push_back(parent);
-      skin.inverseBind.push_back(glm::dmat4(1));
+      skin.inverseBind.emplace_back(1);
       skin.inverseBind.back()[3] = glm::dvec4(0, -at, 0, 1);
       chain.links.push_back({joint, at});
       const dvec3 axis = glm::normalize(i % 2 ? dvec3(1, 0, 0.5) : dvec3(0.3, 0, 1));

@@ -189,6 +189,7 @@ void ShadowPass::drawOpaque(const GpuScene& scene, const ShadowView& view, const
   if (runs.firsts.empty()) return;
   std::vector<const void*> offsets;  // into the bound indices, as GL wants them
   for (const std::int32_t first : runs.firsts)
+    // NOLINTNEXTLINE(performance-no-int-to-ptr): an offset
     offsets.push_back(reinterpret_cast<const void*>(sizeof(GLuint) * static_cast<std::uintptr_t>(first)));
   opaque_.use();
   opaque_.set("worldToClip", view.worldToClip);

@@ -23,6 +23,7 @@ DepthPyramid::DepthPyramid(const gl::Api& api)
 bool DepthPyramid::holds(const FrameView& view) const {
   return std::any_of(frames_.begin(), frames_.end(), [&](const OfFrame& frame) {
     return frame.of == &view.gbuffer && frame.built &&
+           // NOLINTNEXTLINE(*-memory-comparison): equal bytes are what is asked
            std::memcmp(&*frame.built, &view.frame, sizeof(shared::FrameConstants)) == 0;
   });
 }
