@@ -102,6 +102,7 @@ inline constexpr auto kFields<MemoryReport> = std::tuple{field("voxels", &Memory
                                                          field("textures", &MemoryReport::textures),
                                                          field("shadow_maps", &MemoryReport::shadowMaps),
                                                          field("queues", &MemoryReport::queues),
+                                                         field("pictures", &MemoryReport::pictures),
                                                          field("transient", &MemoryReport::transient),
                                                          field("peak", &MemoryReport::peak)};
 
