@@ -10,7 +10,7 @@
 namespace halfsilver {
 namespace {
 
-const std::string kQuick = "coverage builtin:sphere -o DIR --quick --size 64x36";
+const std::string kQuick = "coverage builtin:sphere -o DIR --quick --preset halfsilver --size 64x36";
 
 TEST(BenchCoverage, MeasuresOnceAndReports) {
   const TemporaryFolder folder;
