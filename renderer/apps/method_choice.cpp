@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kMostChoices = 256;  // the oldest go first
+constexpr std::size_t kMaxChoices = 256;  // beyond it, the oldest are dropped
 
 Json readChoices(const std::filesystem::path& file) {
   std::ifstream in(file);
@@ -76,7 +76,7 @@ MethodChoice rememberedChoice(const std::filesystem::path& file, const ChoiceKey
   }
   MethodChoice choice = choose();
   if (file.empty() || choice.measured.empty()) return choice;
-  while (choices.size() >= kMostChoices) choices.erase(choices.begin());
+  while (choices.size() >= kMaxChoices) choices.erase(choices.begin());
   choices[key.text()] = {{"method", choice.method}, {"reason", choice.reason}};
   write(file, choices);
   return choice;

@@ -46,8 +46,8 @@ std::vector<int> compatibleAnimations(const Rig& rig);
 SceneChange pose(Model& model, const PoseState& state);
 SceneChange pose(Model& model, std::span<const Playing> playing);
 
-// Gives the relative coordinates of a model at rest another zero, in world units: what hangs on nodes is placed anew in
-// double precision, the rest is shifted.
+// Changes Scene::origin of a model at rest, in world units. Vertices, lights, and cameras that follow nodes are placed
+// again in double precision, all others are shifted.
 void moveOrigin(Model& model, const glm::dvec3& origin);
 
 // The point of what is drawn in a pose that is nearest to a point, in world units: of the boxes of the instances.

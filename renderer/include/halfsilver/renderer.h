@@ -94,7 +94,7 @@ class Renderer {
   // pictures of the scene so that drivers which compile at the first draw do that, too. Afterwards no frame of render()
   // or refine() by them into a target with that use of depth compiles anything, whatever moves. For a loading screen;
   // settings that a frame may change to want a call of their own, the ones that come first the last. What methods keep
-  // from frame to frame begins anew if the settings make another tracer; temporal antialiasing and refine() begin anew;
+  // from frame to frame is dropped if the settings need another tracer. Temporal antialiasing and refine() start over,
   // reports of earlier frames are gone. Waits for the GPU. Throws Error: usage without a scene and while a frame is
   // under way, otherwise as render().
   void prepare(const Settings& settings, DepthUse depth = DepthUse::none);
