@@ -58,6 +58,14 @@ Light sun(const glm::vec3& direction, float lux) {
   return light;
 }
 
+Light bulb(const glm::vec3& position, float candela) {
+  Light light;
+  light.type = LightType::point;
+  light.position = position;
+  light.intensity = candela;
+  return light;
+}
+
 Sky blackSky() { return evenSky(glm::vec3(0)); }
 
 Sky evenSky(const glm::vec3& radiance) {

@@ -26,6 +26,7 @@ void addQuad(Scene& scene, const glm::vec3& center, const glm::vec3& halfU, cons
 // Fronts outwards; inwards where `inside`.
 void addBox(Scene& scene, const glm::vec3& low, const glm::vec3& high, std::uint32_t material, bool inside = false);
 Light sun(const glm::vec3& direction, float lux);
+Light bulb(const glm::vec3& position, float candela);
 Sky blackSky();
 Sky evenSky(const glm::vec3& radiance);
 
