@@ -107,6 +107,19 @@ float scrambled(std::uint32_t bits, const std::array<std::uint32_t, 2>& factors)
   return static_cast<float>((glm::bitfieldReverse(bits) ^ 0x80000000u) * 0x1p-32 - 0.5);
 }
 
+// No shader reads them: who keeps what the rays of equal constants need must see that there are others.
+std::uint32_t rayRules(const PrimarySettings& primary, const ShadowSettings& shadow) {
+  const std::uint32_t fields[][2] = {
+      // bits, value
+      {4, static_cast<std::uint32_t>(primary.every)},         {3, static_cast<std::uint32_t>(primary.neighborhood)},
+      {2, static_cast<std::uint32_t>(primary.multisampling)}, {1, static_cast<std::uint32_t>(primary.hits)},
+      {2, static_cast<std::uint32_t>(shadow.method)},         {5, static_cast<std::uint32_t>(shadow.kernel)},
+      {14, static_cast<std::uint32_t>(shadow.resolution)}};
+  std::uint32_t rules = 0;
+  for (const auto& [bits, value] : fields) rules = rules << bits | value;
+  return rules;
+}
+
 }  // namespace
 
 shared::FrameConstants makeFrameConstants(const Camera& camera, const Bounds& bounds, const Sky& sky,
@@ -178,6 +191,7 @@ shared::FrameConstants makeFrameConstants(const Camera& camera, const Bounds& bo
   frame.drawnNear =
       static_cast<float>(camera.nearPlane > 0 || lens.parallel ? lens.nearPlane : kDrawnNear * lens.nearPlane);
   frame.parallel = lens.parallel ? 1 : 0;
+  frame.rayRules = rayRules(settings.primary, settings.shadow);
   return frame;
 }
 

@@ -172,7 +172,7 @@ struct FrameConstants {
   uint shadowSamples;     // rays to a light that has an extent, from the deferred shading and from reflections
   float drawnNear;  // nearer surfaces are not seen, meters
   uint parallel;    // 1: all rays of the camera go along `forward`; right and up are half the picture, in meters
-  uint padding0;
+  uint rayRules;    // what else decides which rays there are: of PrimarySettings and ShadowSettings
 };
 
 #endif

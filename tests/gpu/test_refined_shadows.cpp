@@ -247,5 +247,27 @@ TEST_F(RefinedShadowTest, WhittedSendsRaysToDoubtfulLightsAlone) {
   EXPECT_LT(found.wrongUnmarked, found.pixels / 50);
 }
 
+// A structure by demand keeps what the rays of a frame needed: other rules send others.
+TEST_F(RefinedShadowTest, OtherRulesAreOtherRaysForWhatIsKept) {
+  Scene scene = soup(600);
+  scene.lights = {sun({-0.3f, -1, -0.4f}, 2)};
+  Renderer renderer = makeRenderer(scene);
+  const auto settings = [](std::initializer_list<std::pair<const char*, const char*>> more) {
+    Settings wanted = settingsWith({{"trace.method", "identity"}, {"shadow.resolution", "64"}});
+    for (const auto& [name, value] : more) set(wanted, name, value);
+    return wanted;
+  };
+  const Settings steps[] = {settings({{"shadow.method", "refined"}, {"shadow.kernel", "1"}, {"primary.every", "8"}}),
+                            settings({{"shadow.method", "refined"}, {"shadow.kernel", "1"}}),
+                            settings({{"shadow.method", "refined"}, {"shadow.kernel", "9"}}),
+                            settings({{"shadow.method", "rays"}})};
+  for (const Settings& step : steps) {
+    const Frame kept = drawWith(renderer, kAbove, step, 80, 60), fresh = draw(scene, kAbove, step, 80, 60);
+    EXPECT_EQ(kept.report.overflow, 0u);
+    EXPECT_EQ(kept.plane("G"), fresh.plane("G"));
+    EXPECT_GT(kept.report.rays[RAY_SHADOW], 20u);
+  }
+}
+
 }  // namespace
 }  // namespace halfsilver::testing

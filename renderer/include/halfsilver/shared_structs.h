@@ -130,6 +130,7 @@ HALFSILVER_AT(FrameConstants, mappedLights, 316);
 HALFSILVER_AT(FrameConstants, shadowSamples, 320);
 HALFSILVER_AT(FrameConstants, drawnNear, 324);
 HALFSILVER_AT(FrameConstants, parallel, 328);
+HALFSILVER_AT(FrameConstants, rayRules, 332);
 static_assert(sizeof(FrameConstants) == 336);
 
 #undef HALFSILVER_AT
