@@ -1,6 +1,5 @@
 #include "tracing/depth_pyramid.h"
 
-#include <algorithm>
 #include <cstring>
 
 #include "shared/passes/screen.h"
@@ -21,21 +20,18 @@ DepthPyramid::DepthPyramid(const gl::Api& api)
     : api_(&api), program_(gl::Program::compute(api, "tracing/common/pyramid.comp")) {}
 
 bool DepthPyramid::holds(const FrameView& view) const {
-  return std::any_of(frames_.begin(), frames_.end(), [&](const OfFrame& frame) {
-    return frame.of == &view.gbuffer && frame.built &&
-           // NOLINTNEXTLINE(*-memory-comparison): equal bytes are what is asked
-           std::memcmp(&*frame.built, &view.frame, sizeof(shared::FrameConstants)) == 0;
-  });
+  const OfFrame* const frame = frames_.find(view.gbuffer);
+  return frame && frame->built &&
+         // NOLINTNEXTLINE(*-memory-comparison): equal bytes are what is asked
+         std::memcmp(&*frame->built, &view.frame, sizeof(shared::FrameConstants)) == 0;
 }
 
 void DepthPyramid::forget() {
-  for (OfFrame& frame : frames_) frame.built.reset();
+  frames_.each([](OfFrame& frame) { frame.built.reset(); });
 }
 
 void DepthPyramid::build(const FrameView& view, const gl::Texture* backs) {
-  if (frames_[latest_].of != &view.gbuffer) latest_ = 1 - latest_;
-  OfFrame& frame = frames_[latest_];
-  frame.of = &view.gbuffer;
+  OfFrame& frame = frames_.begin(view.gbuffer);
   frame.built.reset();  // until nothing has failed
   const gl::Texture::Shape wanted{.format = GL_R32F,
                                   .width = padded(view.gbuffer.width),
@@ -64,14 +60,11 @@ void DepthPyramid::build(const FrameView& view, const gl::Texture* backs) {
   frame.built = view.frame;
 }
 
-void DepthPyramid::bind(const FrameView& view) const {
-  const OfFrame& latest = frames_[latest_];
-  (latest.of == &view.gbuffer ? latest : frames_[1 - latest_]).depths.bind(UNIT_SCREEN_DEPTHS);
-}
+void DepthPyramid::bind(const FrameView& view) const { frames_.of(view.gbuffer).depths.bind(UNIT_SCREEN_DEPTHS); }
 
 std::uint64_t DepthPyramid::bytes() const {
   std::uint64_t sum = 0;
-  for (const OfFrame& frame : frames_) sum += frame.depths.bytes();
+  frames_.each([&sum](const OfFrame& frame) { sum += frame.depths.bytes(); });
   return sum;
 }
 

@@ -1,12 +1,11 @@
 #pragma once
 
-#include <array>
-#include <cstddef>
 #include <cstdint>
 #include <optional>
 
 #include <halfsilver/frame_view.h>
 #include "gl/program.h"
+#include "tracing/per_frame.h"
 
 namespace halfsilver {
 
@@ -32,15 +31,13 @@ class DepthPyramid {
 
  private:
   struct OfFrame {
-    const GBuffer* of = nullptr;
     std::optional<shared::FrameConstants> built;  // for these
     gl::Texture depths;  // R32F, meters along the view axis; sides are multiples of the largest cell
   };
 
   const gl::Api* api_;
   gl::Program program_;
-  std::array<OfFrame, 2> frames_;
-  std::size_t latest_ = 0;
+  PerFrame<OfFrame> frames_;
 };
 
 }  // namespace halfsilver

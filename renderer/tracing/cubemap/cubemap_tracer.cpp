@@ -36,15 +36,10 @@ CubemapTracer::CubemapTracer(const gl::Api& api, const Settings& settings)
   faces.height = resolution_;
   faces.depth = kFaces;
   depth_ = gl::Texture(api, depth, "cube depth");
-  for (Cube& frame : frames_) {
+  frames_.each([&](Cube& frame) {
     frame.probe = gl::Buffer(api, sizeof(glm::vec4), "probe");
     frame.faces = gl::Texture(api, faces, "cube of triangles");
-  }
-}
-
-const CubemapTracer::Cube& CubemapTracer::cubeOf(const GBuffer& gbuffer) const {
-  const Cube& latest = frames_[latest_];
-  return latest.of == &gbuffer ? latest : frames_[1 - latest_];
+  });
 }
 
 void CubemapTracer::placeProbe(const FrameView& view, const gl::Buffer& probe) const {
@@ -63,9 +58,7 @@ void CubemapTracer::placeProbe(const FrameView& view, const gl::Buffer& probe) c
 void CubemapTracer::update(const FrameView& view, const SceneChange&) {
   const auto scope = view.profiler.section("build");
   grid_ = makeGrid(view.scene.extents.bounds(), 1, 1);
-  if (frames_[latest_].of != &view.gbuffer) latest_ = 1 - latest_;
-  Cube& frame = frames_[latest_];
-  frame.of = &view.gbuffer;
+  Cube& frame = frames_.begin(view.gbuffer);
   placeProbe(view, frame.probe);
   frame.probe.bindUniform(UBO_PROBE);
   for (int face = 0; face < kFaces; ++face)
@@ -79,7 +72,7 @@ void CubemapTracer::update(const FrameView& view, const SceneChange&) {
 
 void CubemapTracer::trace(const FrameView& view, const RayQueue& rays, Hits& hits) {
   grid_.apply(tracePass_.program());
-  const Cube& frame = cubeOf(view.gbuffer);
+  const Cube& frame = frames_.of(view.gbuffer);
   tracePass_.run(view, rays, hits,
                  {.bind =
                       [&frame] {
@@ -92,7 +85,7 @@ void CubemapTracer::trace(const FrameView& view, const RayQueue& rays, Hits& hit
 TracerMemory CubemapTracer::memory() const {
   TracerMemory memory;
   memory.structureTotal = depth_.bytes();
-  for (const Cube& frame : frames_) memory.structureTotal += frame.probe.bytes() + frame.faces.bytes();
+  frames_.each([&memory](const Cube& frame) { memory.structureTotal += frame.probe.bytes() + frame.faces.bytes(); });
   memory.transient = tracePass_.bytes();
   return memory;
 }

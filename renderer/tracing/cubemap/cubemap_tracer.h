@@ -1,13 +1,11 @@
 #pragma once
 
-#include <array>
-#include <cstddef>
-
 #include <halfsilver/settings.h>
 #include <halfsilver/tracer.h>
 #include "gl/program.h"
 #include "tracing/capture_draw.h"
 #include "tracing/grid.h"
+#include "tracing/per_frame.h"
 #include "tracing/trace_pass.h"
 
 namespace halfsilver {
@@ -32,12 +30,10 @@ class CubemapTracer final : public Tracer {
  private:
   // Of a frame under way.
   struct Cube {
-    const GBuffer* of = nullptr;
     gl::Buffer probe;   // vec4
     gl::Texture faces;  // as CaptureDraw has it, six layers
   };
   void placeProbe(const FrameView& view, const gl::Buffer& probe) const;
-  const Cube& cubeOf(const GBuffer& gbuffer) const;
 
   const gl::Api* api_;
   int resolution_;  // texels along each side
@@ -46,8 +42,7 @@ class CubemapTracer final : public Tracer {
   TracePass tracePass_;
   Grid grid_;  // the bounds: the box
   gl::Texture depth_;
-  std::array<Cube, 2> frames_;
-  std::size_t latest_ = 0;
+  PerFrame<Cube> frames_;
 };
 
 }  // namespace halfsilver

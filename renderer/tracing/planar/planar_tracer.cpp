@@ -29,12 +29,8 @@ PlanarTracer::PlanarTracer(const gl::Api& api, const Settings& settings)
       settle_(gl::Program::compute(api, "tracing/planar/settle_plane.comp")),
       draw_(api, "tracing/planar/mirrored.vert", "tracing/planar/mirrored.frag"),
       tracePass_(api, settings.trace, "tracing/planar") {
-  for (Mirrored& frame : frames_) frame.planes = gl::Buffer(api, sizeof(shared::MirrorPlanes), "mirror planes");
-}
-
-const PlanarTracer::Mirrored& PlanarTracer::mirroredOf(const GBuffer& gbuffer) const {
-  const Mirrored& latest = frames_[latest_];
-  return latest.of == &gbuffer ? latest : frames_[1 - latest_];
+  frames_.each(
+      [&api](Mirrored& frame) { frame.planes = gl::Buffer(api, sizeof(shared::MirrorPlanes), "mirror planes"); });
 }
 
 void PlanarTracer::choosePlane(const FrameView& view, const gl::Buffer& planes) const {
@@ -57,9 +53,7 @@ void PlanarTracer::choosePlane(const FrameView& view, const gl::Buffer& planes) 
 void PlanarTracer::update(const FrameView& view, const SceneChange&) {
   const auto scope = view.profiler.section("build");
   grid_ = makeGrid(view.scene.extents.bounds(), 1, 1);
-  if (frames_[latest_].of != &view.gbuffer) latest_ = 1 - latest_;
-  Mirrored& frame = frames_[latest_];
-  frame.of = &view.gbuffer;
+  Mirrored& frame = frames_.begin(view.gbuffer);
   const int width = view.gbuffer.width, height = view.gbuffer.height;
   const auto fit = [&](GLenum format, const char* label, gl::Texture& texture) {
     if (texture && texture.shape().width == width && texture.shape().height == height) return;
@@ -75,7 +69,7 @@ void PlanarTracer::update(const FrameView& view, const SceneChange&) {
 
 void PlanarTracer::trace(const FrameView& view, const RayQueue& rays, Hits& hits) {
   grid_.apply(tracePass_.program());
-  const Mirrored& frame = mirroredOf(view.gbuffer);
+  const Mirrored& frame = frames_.of(view.gbuffer);
   tracePass_.run(view, rays, hits,
                  {.bind =
                       [&frame] {
@@ -88,7 +82,8 @@ void PlanarTracer::trace(const FrameView& view, const RayQueue& rays, Hits& hits
 TracerMemory PlanarTracer::memory() const {
   TracerMemory memory;
   memory.structureTotal = depth_.bytes();
-  for (const Mirrored& frame : frames_) memory.structureTotal += frame.planes.bytes() + frame.image.bytes();
+  frames_.each(
+      [&memory](const Mirrored& frame) { memory.structureTotal += frame.planes.bytes() + frame.image.bytes(); });
   memory.transient = tracePass_.bytes();
   return memory;
 }

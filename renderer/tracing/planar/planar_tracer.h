@@ -1,13 +1,11 @@
 #pragma once
 
-#include <array>
-#include <cstddef>
-
 #include <halfsilver/settings.h>
 #include <halfsilver/tracer.h>
 #include "gl/program.h"
 #include "tracing/capture_draw.h"
 #include "tracing/grid.h"
+#include "tracing/per_frame.h"
 #include "tracing/trace_pass.h"
 
 namespace halfsilver {
@@ -32,12 +30,10 @@ class PlanarTracer final : public Tracer {
  private:
   // Of a frame under way.
   struct Mirrored {
-    const GBuffer* of = nullptr;
     gl::Buffer planes;  // MirrorPlanes
     gl::Texture image;  // as CaptureDraw has it, of the picture's size
   };
   void choosePlane(const FrameView& view, const gl::Buffer& planes) const;
-  const Mirrored& mirroredOf(const GBuffer& gbuffer) const;
 
   const gl::Api* api_;
   gl::Program choose_, settle_;
@@ -45,8 +41,7 @@ class PlanarTracer final : public Tracer {
   TracePass tracePass_;
   Grid grid_;  // the bounds alone: rays begin and end there
   gl::Texture depth_;
-  std::array<Mirrored, 2> frames_;
-  std::size_t latest_ = 0;
+  PerFrame<Mirrored> frames_;
 };
 
 }  // namespace halfsilver
