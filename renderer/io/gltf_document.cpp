@@ -3,14 +3,12 @@
 #include <algorithm>
 
 #include <halfsilver/error.h>
+#include "io/one_line.h"
 
 namespace halfsilver::gltf {
 
 void Diagnostics::fail(const std::string& what, const std::string& where) const {
-  std::string message = file + ": " + what + (where.empty() ? "" : ": " + where);
-  std::replace_if(
-      message.begin(), message.end(), [](unsigned char c) { return c < 32 || c == 127; }, ' ');
-  throw Error(ErrorKind::badInput, message);
+  throw Error(ErrorKind::badInput, oneLine(file + ": " + what + (where.empty() ? "" : ": " + where)));
 }
 
 void Diagnostics::warn(const std::string& text) {

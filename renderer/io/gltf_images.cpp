@@ -100,19 +100,6 @@ ImageHeader imageHeader(std::span<const std::uint8_t> bytes) {
   return {};
 }
 
-bool isPlausible(const ImageHeader& header, std::span<const std::uint8_t> bytes) {
-  const double pixels = double(header.size.x) * header.size.y, stored = double(bytes.size());
-  if (header.format == ImageFormat::png) {
-    // Deflate writes at most 1032 bytes for one; a pixel has its channels of 1 to 16 bits.
-    const std::uint8_t depth = bytes[24], color = bytes[25];
-    const double bits = std::max<int>(depth, 1) * (color == 2 ? 3 : color == 4 ? 2 : color == 6 ? 4 : 1);
-    return pixels * bits / 8 <= 1032 * stored;
-  }
-  // A block of 8 x 8 takes at least a bit, even where refined in several scans.
-  if (header.format == ImageFormat::jpeg) return pixels <= 8 * 64 * (stored + 8);
-  return true;
-}
-
 bool canDecode(ImageFormat format) { return format != ImageFormat::avif || hasOpenImageIo(); }
 
 bool decodeImage(const ImageHeader& header, std::span<const std::uint8_t> bytes, Texture& texture) {

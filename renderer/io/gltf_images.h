@@ -18,9 +18,6 @@ struct ImageHeader {
 
 ImageHeader imageHeader(std::span<const std::uint8_t> bytes);
 
-// Whether so few bytes can hold an image of the declared size, so that no memory is taken for a claim.
-bool isPlausible(const ImageHeader& header, std::span<const std::uint8_t> bytes);
-
 // AVIF takes OpenImageIO.
 bool canDecode(ImageFormat format);
 

@@ -8,6 +8,7 @@
 
 #include "io/gltf_accessors.h"
 #include "io/gltf_images.h"
+#include "io/small_codecs.h"
 
 namespace halfsilver::gltf {
 namespace {
@@ -163,7 +164,7 @@ class Builder {
       diagnostics_.fail("an image is " + std::to_string(size.x) + " x " + std::to_string(size.y) + ", at most " +
                             std::to_string(kLargestSide) + " per side is supported",
                         place);
-    if (!isPlausible(header, bytes))
+    if (!canHold(bytes, double(size.x) * size.y))
       diagnostics_.fail("an image is " + std::to_string(size.x) + " x " + std::to_string(size.y) + " in " +
                             std::to_string(bytes.size()) + " bytes",
                         place);

@@ -1,13 +1,24 @@
 #include <halfsilver/io.h>
 
-#include <toml++/toml.h>
-
 #include <algorithm>
 #include <cstdio>
 #include <fstream>
+#include <optional>
 #include <sstream>
 
 #include <halfsilver/error.h>
+#include "io/one_line.h"
+
+// toml++ 3.3 relies on assertions that some files break, such as "[|name]": here they throw, in every kind of build.
+namespace halfsilver {
+namespace {
+struct BrokenAssertion {};
+[[noreturn]] void breakOff() { throw BrokenAssertion{}; }
+}  // namespace
+}  // namespace halfsilver
+#undef NDEBUG
+#define TOML_ASSERT(condition) ((condition) ? void() : halfsilver::breakOff())
+#include <toml++/toml.h>
 
 namespace halfsilver {
 namespace {
@@ -15,7 +26,7 @@ namespace {
 using Kind = SettingInfo::Kind;
 
 [[noreturn]] void reject(const std::string& name, std::uint32_t line, const std::string& what) {
-  throw Error(ErrorKind::badInput, name + ":" + std::to_string(line) + ": " + what);
+  throw Error(ErrorKind::badInput, oneLine(name + ":" + std::to_string(line) + ": " + what));
 }
 
 const char* expectedType(Kind kind) {
@@ -90,12 +101,69 @@ std::string firstComment(std::string_view text) {
   return std::string(text.substr(2, text.find('\n') - 2));
 }
 
+// Names and values are ASCII. What else comments hold is replaced: between values, toml++ 3.3 has no defined behavior
+// for some of it.
+std::string plain(std::string_view text) {
+  constexpr std::string_view kMark = "\xef\xbb\xbf";  // of UTF-8, in front
+  std::string result(text.substr(text.starts_with(kMark) ? kMark.size() : 0));
+  std::replace_if(
+      result.begin(), result.end(), [](unsigned char c) { return c > 127; }, '?');
+  return result;
+}
+
+// The parser recurses into the parts of a key, as deep as they are many: those that a file needs are two.
+void checkKeys(std::string_view text, const std::string& name) {
+  constexpr int kMost = 32;
+  std::uint32_t line = 1;
+  int dots = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '\n') {
+      ++line;
+      dots = 0;
+    } else if (text[i] == '.' && !text.substr(i + 1).starts_with('.') && ++dots > kMost) {
+      reject(name, line, "a key has more than " + std::to_string(kMost) + " parts");
+    }
+  }
+}
+
+// Nothing if the parser breaks off without saying why.
+std::optional<toml::table> parsed(std::string_view text, const std::string& name) try {
+  return toml::parse(text, name);
+} catch (const BrokenAssertion&) {
+  return std::nullopt;
+}
+
+std::size_t startOfLine(std::string_view text, std::uint32_t line) {
+  std::size_t start = 0;
+  for (std::uint32_t i = 1; i < line; ++i) start = text.find('\n', start) + 1;
+  return start;
+}
+
+// The line that the parser does not survive: the last one of the shortest text that it does not.
+std::uint32_t fatalLine(std::string_view text, const std::string& name) {
+  std::uint32_t low = 1, high = 1 + static_cast<std::uint32_t>(std::count(text.begin(), text.end(), '\n'));
+  while (low < high) {
+    const std::uint32_t middle = low + (high - low) / 2;
+    bool survived = true;
+    try {
+      survived = parsed(text.substr(0, startOfLine(text, middle + 1)), name).has_value();
+    } catch (const toml::parse_error&) {  // cut off within a value
+    }
+    (survived ? low : high) = survived ? middle + 1 : middle;
+  }
+  return low;
+}
+
 }  // namespace
 
-void applySettingsText(Settings& settings, std::string_view text, const std::string& name) {
+void applySettingsText(Settings& settings, std::string_view source, const std::string& name) {
+  const std::string text = plain(source);
+  checkKeys(text, name);
   Settings changed = settings;
   try {
-    Reader(changed, name).table(toml::parse(text, name), "");
+    const std::optional<toml::table> root = parsed(text, name);
+    if (!root) reject(name, fatalLine(text, name), "not valid TOML");
+    Reader(changed, name).table(*root, "");
   } catch (const toml::parse_error& error) {
     reject(name, error.source().begin.line, std::string(error.description()));
   }

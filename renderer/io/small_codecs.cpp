@@ -20,11 +20,14 @@
 #define STB_IMAGE_WRITE_STATIC
 #include <stb_image_write.h>
 
+#include "io/one_line.h"
+
 namespace halfsilver {
 namespace {
 
 constexpr const char* kDiagonal = "halfsilver:diagonal";
 constexpr double kMaxValues = 1 << 30;
+constexpr double kDeflate = 1032;  // bytes that it makes of one, at most
 
 struct Freed {
   void operator()(void* memory) const { std::free(memory); }
@@ -70,7 +73,9 @@ bool decodeExr(std::span<const std::uint8_t> bytes, ImageFile& result, std::stri
   }
   const double columns = double(header.data_window.max_x) - header.data_window.min_x + 1;
   const double rows = double(header.data_window.max_y) - header.data_window.min_y + 1;
-  if (columns < 1 || rows < 1 || columns * rows * header.num_channels > kMaxValues) {
+  // A value has two bytes or more, and nothing packs closer than deflate.
+  const double values = columns * rows * header.num_channels;
+  if (columns < 1 || rows < 1 || values > kMaxValues || values > kDeflate / 2 * double(bytes.size())) {
     problem = "not an image of a usable size";
     return false;
   }
@@ -154,6 +159,35 @@ bool tablesFit(std::span<const std::uint8_t> bytes) {
   return true;
 }
 
+// stb reads on behind the end of an HDR file: rows that are cut off never end, or are what lay in memory. Walks them as
+// stb does.
+bool rowsFit(std::span<const std::uint8_t> bytes, std::size_t width, std::size_t height) {
+  constexpr std::size_t kShortest = 8, kLongest = 32767;  // of a row that may be packed
+  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  const auto nextLine = [&](std::size_t from) { return std::min(text.find('\n', from), text.size() - 1) + 1; };
+  if (!text.starts_with("#?")) return true;  // no HDR
+  std::size_t at = nextLine(0);
+  while (at < text.size() && text[at] != '\n' && text[at] != '\0') at = nextLine(at);  // up to an empty line
+  at = nextLine(nextLine(at));                                                         // and the one with the size
+  const auto flat = [&] { return 4 * width * height <= bytes.size() - at; };
+  if (width < kShortest || width > kLongest) return flat();
+  for (std::size_t row = 0; row < height; ++row) {
+    if (bytes.size() - at < 4) return false;
+    if (bytes[at] != 2 || bytes[at + 1] != 2 || bytes[at + 2] >= 128) return flat();
+    at += 4;
+    for (std::size_t left = 4 * width, inChannel = width; left > 0; inChannel = inChannel ? inChannel : width) {
+      if (at == bytes.size()) return false;
+      const std::size_t code = bytes[at++], count = code > 128 ? code - 128 : code, stored = code > 128 ? 1 : code;
+      if (count > inChannel) return true;  // stb refuses it
+      if (stored > bytes.size() - at) return false;
+      at += stored;
+      inChannel -= count;
+      left -= count;
+    }
+  }
+  return true;
+}
+
 template <class T>
 void takePixels(const T* pixels, float scale, Image& image) {
   image.data.resize(image.pixelCount() * image.channels.size());
@@ -173,11 +207,16 @@ bool decodeStb(std::span<const std::uint8_t> bytes, ImageFile& result, std::stri
     return false;
   }
   if (!stbi_info_from_memory(data, size, &width, &height, &channels)) {
-    problem = std::string("not an image: ") + stbi_failure_reason();
+    problem = oneLine(std::string("not an image: ") + stbi_failure_reason());
     return false;
   }
-  if (double(width) * height * channels > kMaxValues) {
+  const double count = double(width) * height;
+  if (width < 1 || height < 1 || count * channels > kMaxValues || !canHold(bytes, count)) {
     problem = "not an image of a usable size";
+    return false;
+  }
+  if (!rowsFit(bytes, static_cast<std::size_t>(width), static_cast<std::size_t>(height))) {
+    problem = "the file is cut off";
     return false;
   }
   const bool hdr = stbi_is_hdr_from_memory(data, size);
@@ -190,7 +229,7 @@ bool decodeStb(std::span<const std::uint8_t> bytes, ImageFile& result, std::stri
   else
     pixels.reset(stbi_load_from_memory(data, size, &width, &height, &channels, 0));
   if (!pixels) {
-    problem = std::string("does not decode: ") + stbi_failure_reason();
+    problem = oneLine(std::string("does not decode: ") + stbi_failure_reason());
     return false;
   }
   const std::vector<std::string> names[] = {{"Y"}, {"Y", "A"}, {"R", "G", "B"}, {"R", "G", "B", "A"}};
@@ -215,6 +254,18 @@ bool knowsFormat(std::span<const std::uint8_t> bytes) {
                       [](char a, std::uint8_t b) { return static_cast<std::uint8_t>(a) == b; });
   };
   return startsWith("\x89PNG") || startsWith("\xff\xd8\xff") || startsWith("#?R");
+}
+
+bool canHold(std::span<const std::uint8_t> bytes, double pixels) {
+  const double stored = double(bytes.size());
+  if (bytes.size() >= 29 && bytes[0] == 0x89) {
+    const std::uint8_t depth = bytes[24], color = bytes[25];  // of each of the channels that a color means
+    const double bits = std::max<int>(depth, 1) * (color == 2 ? 3 : color == 4 ? 2 : color == 6 ? 4 : 1);
+    return pixels * bits / 8 <= kDeflate * stored;
+  }
+  // A block of 8 x 8 takes at least a bit, even where refined in several scans.
+  if (bytes.size() >= 2 && bytes[0] == 0xff && bytes[1] == 0xd8) return pixels <= 8 * 64 * (stored + 8);
+  return true;
 }
 
 bool decodeSmall(std::span<const std::uint8_t> bytes, ImageFile& result, std::string& problem) {

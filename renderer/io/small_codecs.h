@@ -16,6 +16,10 @@ namespace halfsilver {
 // its libraries print their own errors.)
 bool knowsFormat(std::span<const std::uint8_t> bytes);
 
+// Whether the bytes of a PNG or JPEG are enough for so many pixels, so that no memory is taken for a claim; true of
+// other formats.
+bool canHold(std::span<const std::uint8_t> bytes, double pixels);
+
 // False with one line in `problem` when the bytes do not decode.
 bool decodeSmall(std::span<const std::uint8_t> bytes, ImageFile& result, std::string& problem);
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <gtest/gtest.h>
 #include <unistd.h>
 
 #include <cstdint>
@@ -63,6 +62,9 @@ inline std::string base64(const std::string& bytes) {
   }
   return text;
 }
+
+// Corners of a square, position by position.
+inline const std::vector<float> kSquare = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};
 
 // One buffer and the JSON around it.
 struct GltfFile {

@@ -12,9 +12,6 @@
 // What is loaded of the files that tests make.
 namespace halfsilver::testing {
 
-// Corners of a square, position by position.
-inline const std::vector<float> kSquare = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};
-
 inline Model load(const GltfFile& file, const GltfOptions& options = {}) {
   const TemporaryFolder folder;
   return loadGltf(folder.write("scene.glb", file.glb()), options);

@@ -1,3 +1,5 @@
+#include <gtest/gtest.h>
+
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 
@@ -31,7 +33,7 @@ bool warns(const Model& model, const std::string& text) {
   return false;
 }
 
-const std::vector<float> kSquare = {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0};
+const std::vector<float> kStrip = {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0};
 
 TEST(Gltf, OneTriangleInEveryContainer) {
   GltfFile file;
@@ -58,7 +60,7 @@ TEST(Gltf, StripAndFanWindLikeTriangles) {
     GltfFile file;
     // A strip 0 1 2 3, or a fan about the first corner; both front faces look along +z.
     const std::vector<float> fan = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};
-    file.primitive({{"POSITION", file.accessor(mode == 5 ? kSquare : fan, "VEC3")}})["mode"] = mode;
+    file.primitive({{"POSITION", file.accessor(mode == 5 ? kStrip : fan, "VEC3")}})["mode"] = mode;
     const Model model = load(file);
     ASSERT_EQ(model.scene.triangles.size(), 2u) << mode;
     for (std::size_t t = 0; t < 2; ++t) EXPECT_TRUE(near(normalOf(model, t), {0, 0, 1})) << mode;
@@ -77,7 +79,7 @@ TEST(Gltf, PointsAndLinesAreSkippedWithAWarning) {
 template <class T>
 void checkIndices() {
   GltfFile file;
-  file.primitive({{"POSITION", file.accessor(kSquare, "VEC3")}})["indices"] =
+  file.primitive({{"POSITION", file.accessor(kStrip, "VEC3")}})["indices"] =
       file.accessor(std::vector<T>{2, 0, 3}, "SCALAR");
   const Model model = load(file);
   ASSERT_EQ(model.scene.triangles.size(), 1u);

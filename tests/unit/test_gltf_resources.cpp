@@ -1,3 +1,5 @@
+#include <gtest/gtest.h>
+
 #include <halfsilver/error.h>
 #include <halfsilver/io.h>
 #include "gltf_files.h"

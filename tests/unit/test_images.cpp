@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
@@ -179,6 +180,60 @@ TEST(Images, AJpegWhoseTableHasMoreCodesThanBytesIsRefused) {
   bytes.resize(8);
   EXPECT_FALSE(decodeSmall(bytes, file, problem));
   EXPECT_EQ(problem.find("Huffman"), std::string::npos) << problem;
+}
+
+// An HDR file of 12 x 2 texels whose rows are packed: 2, 2, 0, 12, then a run of 12 for each channel.
+std::vector<std::uint8_t> packedHdr() {
+  const std::string header = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 2 +X 12\n";
+  std::vector<std::uint8_t> bytes(header.begin(), header.end());
+  for (int row = 0; row < 2; ++row) {
+    bytes.insert(bytes.end(), {2, 2, 0, 12});
+    for (const std::uint8_t value : std::initializer_list<std::uint8_t>{128, 64, 0, 129})
+      bytes.insert(bytes.end(), {128 + 12, value});
+  }
+  return bytes;
+}
+
+TEST(Images, AnHdrFileThatIsCutOffIsRefused) {
+  const std::vector<std::uint8_t> whole = packedHdr();
+  ImageFile image;
+  std::string problem;
+  ASSERT_TRUE(decodeSmall(whole, image, problem)) << problem;
+  EXPECT_EQ(image.image.data, [] {
+    std::vector<float> texels;
+    for (int i = 0; i < 24; ++i) texels.insert(texels.end(), {1, 0.5f, 0});
+    return texels;
+  }());
+  for (std::size_t length = whole.size() - 24; length < whole.size(); ++length) {
+    EXPECT_FALSE(decodeSmall(std::span(whole).first(length), image, problem)) << length;
+    EXPECT_EQ(problem, "the file is cut off") << length;
+  }
+  // The same of rows that are not packed.
+  std::vector<std::uint8_t> flat(whole.begin(), whole.end() - 24);
+  flat.insert(flat.end(), std::size_t{4} * 24, 128);
+  EXPECT_TRUE(decodeSmall(flat, image, problem)) << problem;
+  flat.pop_back();
+  EXPECT_FALSE(decodeSmall(flat, image, problem));
+}
+
+TEST(Images, ASizeThatTheBytesCannotHoldIsRefusedAndTakesNoMemory) {
+  const std::vector<std::byte> exr = encodeExr(layersImage());
+  const std::vector<std::byte> png = encodePng(1, 1, std::vector<std::uint8_t>{1, 2, 3, 4});
+  const auto refused = [](std::span<const std::byte> source, const std::string& before, std::size_t after,
+                          const std::string& size) {
+    std::vector<std::uint8_t> bytes(source.size());
+    std::memcpy(bytes.data(), source.data(), source.size());
+    const auto at = std::search(bytes.begin(), bytes.end(), before.begin(), before.end());
+    ASSERT_NE(at, bytes.end());
+    std::copy(size.begin(), size.end(), at + static_cast<std::ptrdiff_t>(before.size() + after));
+    ImageFile image;
+    std::string problem;
+    EXPECT_FALSE(decodeSmall(bytes, image, problem));
+    EXPECT_EQ(problem, "not an image of a usable size");
+  };
+  // Type and length of the attribute and the lower corner come before the upper one.
+  refused(exr, "dataWindow", 1 + 6 + 4 + 8, std::string("\xff\x1f\0\0\xff\x1f\0\0", 8));
+  refused(png, "IHDR", 0, std::string("\0\0\x20\0\0\0\x20\0", 8));
 }
 
 TEST(Images, APngWhoseChunkIsLongerThanTheFileTakesNoMemoryForIt) {

@@ -97,6 +97,34 @@ TEST(SettingsFile, NamesFileAndLineOfWhatIsWrong) {
   EXPECT_TRUE(problemOf("\xff\xfe\x00").starts_with("a.toml:1: "));
 }
 
+TEST(SettingsFile, WhatTheParserDoesNotSurviveHasItsLine) {
+  EXPECT_EQ(problemOf("[|name]"), "a.toml:1: not valid TOML");
+  EXPECT_EQ(problemOf("[voxels]\nresolution = 32\n\n[|name]\n\n[image]\n"), "a.toml:4: not valid TOML");
+  EXPECT_EQ(problemOf("[voxels]\nresolution = 32\n# ends here\n[.name]"), "a.toml:4: not valid TOML");
+  // What it quotes stays on the line: problemOf() looks for line ends.
+  EXPECT_TRUE(problemOf("\n[effect]\nglossy = fal\n").starts_with("a.toml:3: "));
+}
+
+TEST(SettingsFile, KeysOfVeryManyPartsAreRefused) {
+  std::string key = "a";
+  for (int i = 0; i < 300000; ++i) key += ".a";
+  EXPECT_EQ(problemOf("\n[" + key + "]\n"), "a.toml:2: a key has more than 32 parts");
+  EXPECT_EQ(problemOf("\n\n" + key + " = 1\n"), "a.toml:3: a key has more than 32 parts");
+  std::string nested, part = "{" + key.substr(0, 63) + " = [\n";
+  for (int i = 0; i < 120; ++i) nested += part;
+  EXPECT_TRUE(problemOf("[voxels]\nresolution = " + nested).starts_with("a.toml:"));
+}
+
+TEST(SettingsFile, CommentsMayHoldAnything) {
+  Settings settings;
+  applySettingsText(settings,
+                    "\xef\xbb\xbf# caf\xc3\xa9 \xff ..........................................\n[voxels] # "
+                    "\xe2\x80\x83\nresolution = 32\n",
+                    "a.toml");
+  EXPECT_EQ(settings.voxels.resolution, 32);
+  EXPECT_TRUE(problemOf("[primary]\nhits \xc3\x9c = 1\n").starts_with("a.toml:2: "));
+}
+
 TEST(SettingsFile, LeavesTheSettingsAloneIfSomethingIsWrong) {
   Settings settings;
   EXPECT_THROW(applySettingsText(settings, "[abuffer]\nresolution = 64\nwrong = 1\n", "a.toml"), Error);
