@@ -67,8 +67,11 @@ Surface evaluateSurface(uint triangle, vec2 barycentrics, vec3 direction, float 
   mat3x4 uvs = mat3x4(vec4(attributes[corners.x].uv0, attributes[corners.x].uv1),
                       vec4(attributes[corners.y].uv0, attributes[corners.y].uv1),
                       vec4(attributes[corners.z].uv0, attributes[corners.z].uv1));
-  vec4 vertexColor = mat3x4(attributes[corners.x].color, attributes[corners.y].color, attributes[corners.z].color) *
-                     weights;
+  // From one corner on, so that one color in all of them is met exactly: the weights do not always add up to one, and
+  // a white that is a rounding step darker loses a step of half floats in the G-buffer.
+  vec4 firstColor = attributes[corners.x].color;
+  vec4 vertexColor = firstColor + barycentrics.x * (attributes[corners.y].color - firstColor) +
+                     barycentrics.y * (attributes[corners.z].color - firstColor);
   vec3 vertexNormal = normals * weights;
   vec3 tangent = tangents * weights;
   float bitangentSign = bitangentSigns.x * weights.x + bitangentSigns.y * weights.y + bitangentSigns.z * weights.z;
