@@ -7,6 +7,9 @@
 namespace halfsilver {
 namespace {
 
+// Of hardware, which is reset if a draw takes seconds; fragments with lists may be hundreds per triangle.
+constexpr std::uint32_t kTrianglesPerDraw = 1u << 16;
+
 // A raster without attachments lives as long as the draw.
 template <class Draw>
 void rasterize(const gl::Api& api, const gl::Program& program, const gl::EmptyVertexArray& vertexArray, int resolution,
@@ -23,8 +26,14 @@ void rasterize(const gl::Api& api, const gl::Program& program, const gl::EmptyVe
 
 void rasterizeScene(const gl::Api& api, const gl::Program& program, const gl::EmptyVertexArray& vertexArray,
                     const GpuScene& scene, const RasterShape& shape) {
+  const std::uint32_t perDraw = api.software ? scene.triangleCount : kTrianglesPerDraw;
   rasterize(api, program, vertexArray, shape.resolution, [&] {
-    api.DrawArraysInstanced(GL_TRIANGLES, 0, static_cast<GLsizei>(scene.triangleCount) * 3, shape.projections);
+    for (std::uint32_t first = 0; first < scene.triangleCount; first += perDraw) {
+      if (first > 0) api.Flush();
+      api.DrawArraysInstanced(GL_TRIANGLES, static_cast<GLint>(3 * first),
+                              static_cast<GLsizei>(3 * std::min(perDraw, scene.triangleCount - first)),
+                              shape.projections);
+    }
   });
 }
 

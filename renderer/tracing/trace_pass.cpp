@@ -29,6 +29,10 @@ std::uint64_t resumeBytes(std::uint64_t rays) { return sizeof(shared::Resume) + 
 
 // Iterations after which a ray yields if the driver stops shaders at 65,535 of them in a vector of eight rays.
 constexpr int kSoftwareWorkLimit = 4000;
+// Rays per dispatch of hardware, which is reset if one takes seconds: the slowest integrated GPUs need some 0.2 s for
+// these.
+constexpr std::uint32_t kRaysPerDispatch = 1u << 20;
+static_assert(kRaysPerDispatch / TRACE_GROUP <= 65535);
 // Dispatches after which the rest is given up; a ray does at least a voxel in each.
 constexpr int kMaxDispatches = 1024;
 
@@ -63,29 +67,44 @@ void TracePass::dispatchWaiting() const {
   api_->DispatchComputeIndirect(offsetof(shared::Resume, groupsX));
 }
 
-void TracePass::dispatch(const RayQueue& rays, bool resuming) const {
-  program_.use();
-  if (settings_.stage == TraceStage::compute) {
-    if (resuming) {
-      dispatchWaiting();
-    } else {
-      api_->BindBuffer(GL_DISPATCH_INDIRECT_BUFFER, rays.count.name());
-      api_->DispatchComputeIndirect(0);
-    }
-  } else {
-    // Fragments beyond the queue's count end at once; the count itself stays on the GPU.
-    const auto rowLength = static_cast<GLuint>(std::min(api_->limits.framebufferSize, 8192));
-    const GLuint rows = std::max(1u, (rays.capacity + rowLength - 1) / rowLength);
-    const gl::Framebuffer framebuffer(*api_, static_cast<int>(rowLength), static_cast<int>(rows));
-    framebuffer.bind();
-    gl::DrawState{.viewport = {0, 0, rowLength, rows}}.apply(*api_);
-    vertexArray_.bind();
-    program_.set("rowLength", rowLength);
+// Rays beyond the queue's count, which stays on the GPU, end at once.
+void TracePass::dispatchFragments(const RayQueue& rays, bool resuming) const {
+  const auto rowLength = static_cast<GLuint>(std::min(api_->limits.framebufferSize, 8192));
+  const GLuint rows = std::max(1u, (rays.capacity + rowLength - 1) / rowLength);
+  const GLuint rowsPerDraw = api_->software ? rows : std::max(1u, kRaysPerDispatch / rowLength);
+  const gl::Framebuffer framebuffer(*api_, static_cast<int>(rowLength), static_cast<int>(rows));
+  framebuffer.bind();
+  vertexArray_.bind();
+  program_.set("rowLength", rowLength);
+  for (GLuint row = 0; row < rows; row += rowsPerDraw) {
+    if (row > 0) api_->Flush();
+    gl::DrawState{.viewport = {0, row, rowLength, std::min(rowsPerDraw, rows - row)}}.apply(*api_);
     if (resuming) {
       api_->BindBuffer(GL_DRAW_INDIRECT_BUFFER, resumeWork_.name());
       api_->DrawArraysIndirect(GL_TRIANGLES, nullptr);
     } else {
       api_->DrawArrays(GL_TRIANGLES, 0, 3);
+    }
+  }
+}
+
+void TracePass::dispatch(const RayQueue& rays, bool resuming) const {
+  program_.use();
+  if (settings_.stage == TraceStage::fragment) {
+    dispatchFragments(rays, resuming);
+  } else if (!api_->software && rays.capacity > kRaysPerDispatch) {
+    for (std::uint32_t first = 0; first < rays.capacity; first += kRaysPerDispatch) {
+      if (first > 0) api_->Flush();
+      program_.set("firstRay", first);
+      api_->DispatchCompute((std::min(kRaysPerDispatch, rays.capacity - first) + TRACE_GROUP - 1) / TRACE_GROUP, 1, 1);
+    }
+  } else {
+    program_.set("firstRay", 0u);
+    if (resuming) {
+      dispatchWaiting();
+    } else {
+      api_->BindBuffer(GL_DISPATCH_INDIRECT_BUFFER, rays.count.name());
+      api_->DispatchComputeIndirect(0);
     }
   }
   // Hits and counts (trace) are read by the next dispatch, by shading and by the host.

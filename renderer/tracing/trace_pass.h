@@ -53,6 +53,7 @@ class TracePass {
   void bind(const FrameView& view, const RayQueue& rays, const Hits& hits) const;
   void dispatchWaiting() const;
   void dispatch(const RayQueue& rays, bool resuming) const;
+  void dispatchFragments(const RayQueue& rays, bool resuming) const;
   void prepareResume(const FrameView& view, const RayQueue& rays) const;
 
   const gl::Api* api_;
