@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstring>
 #include <limits>
+#include <memory>
 #include <string>
 
 #include "io/openimageio.h"
@@ -73,12 +74,19 @@ bool decodeAvif(std::span<const std::uint8_t> bytes, Texture& texture) {
   return true;
 }
 
-bool decodeWebp(const glm::uvec2& size, std::span<const std::uint8_t> bytes, Texture& texture) {
-  texture.width = static_cast<int>(size.x);
-  texture.height = static_cast<int>(size.y);
-  texture.texels.resize(std::size_t{4} * size.x * size.y);
-  return WebPDecodeRGBAInto(bytes.data(), bytes.size(), texture.texels.data(), texture.texels.size(),
-                            4 * texture.width) != nullptr;
+struct FreedByWebp {
+  void operator()(std::uint8_t* texels) const { WebPFree(texels); }
+};
+
+// A few bytes can be a very large image of one color, so no size is too much to claim: the library's own memory is not
+// touched before there are texels for it.
+bool decodeWebp(std::span<const std::uint8_t> bytes, Texture& texture) {
+  const std::unique_ptr<std::uint8_t, FreedByWebp> texels(
+      WebPDecodeRGBA(bytes.data(), bytes.size(), &texture.width, &texture.height));
+  if (!texels) return false;
+  texture.texels.assign(texels.get(), texels.get() + std::size_t{4} * static_cast<std::size_t>(texture.width) *
+                                                         static_cast<std::size_t>(texture.height));
+  return true;
 }
 
 }  // namespace
@@ -103,7 +111,7 @@ ImageHeader imageHeader(std::span<const std::uint8_t> bytes) {
 bool canDecode(ImageFormat format) { return format != ImageFormat::avif || hasOpenImageIo(); }
 
 bool decodeImage(const ImageHeader& header, std::span<const std::uint8_t> bytes, Texture& texture) {
-  const bool decoded = header.format == ImageFormat::webp   ? decodeWebp(header.size, bytes, texture)
+  const bool decoded = header.format == ImageFormat::webp   ? decodeWebp(bytes, texture)
                        : header.format == ImageFormat::avif ? decodeAvif(bytes, texture)
                                                             : decodeRgba(bytes, texture);
   return decoded && texture.width > 0 && texture.height > 0 &&
