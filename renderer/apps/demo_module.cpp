@@ -19,7 +19,8 @@ demo::Run* demoModule() {
 }  // namespace
 
 void runDemo(const demo::Request& request) {
-  const demo::Outcome outcome = demoModule()(request);
+  demo::Outcome outcome;
+  demoModule()(request, outcome);
   if (outcome.exitCode != 0) throw Error(static_cast<ErrorKind>(outcome.exitCode), outcome.message);
 }
 

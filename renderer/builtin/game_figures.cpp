@@ -36,7 +36,7 @@ enum Joint : std::uint32_t {
 };
 
 constexpr double kHipHeight = 0.93, kKneeHeight = 0.50, kAnkleHeight = 0.08;
-constexpr double kUpperArm = 0.30, kForearm = 0.27;
+constexpr double kUpperArm = 0.30;
 
 struct JointPlace {
   const char* name;

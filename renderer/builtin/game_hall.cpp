@@ -13,7 +13,7 @@ using glm::dvec2;
 using glm::dvec3;
 
 constexpr dvec3 kX(1, 0, 0), kY(0, 1, 0), kZ(0, 0, 1);
-constexpr double kStoneScale = 2.4, kBrickScale = 1.3, kPlainScale = 2.0;
+constexpr double kStoneScale = 2.4, kPlainScale = 2.0;
 constexpr int kArchSegments = 14;
 
 Profile band(double radius, double width) {

@@ -4,6 +4,11 @@
 // threads of OpenImageIO's dependencies start and end on their own, and a thread caught halfway breaks the check itself
 // (the leak sanitizer then fails, without a leak). Tests of images that need OpenImageIO are therefore checked for
 // everything but leaks, and say so.
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define __SANITIZE_ADDRESS__  // as GCC says it
+#endif
+#endif
 #ifdef __SANITIZE_ADDRESS__
 #include <sanitizer/lsan_interface.h>
 #include <filesystem>

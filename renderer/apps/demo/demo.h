@@ -25,11 +25,11 @@ struct Request {
   bool window = false, overlay = false;
 };
 
-// Plays until the end; throws nothing. Returns an exit code and, unless it is 0, one line.
+// Plays until the end; throws nothing. The outcome is an exit code and, unless it is 0, one line.
 struct Outcome {
   int exitCode = 0;
   std::string message;
 };
-using Run = Outcome(const Request&);
+using Run = void(const Request&, Outcome&);
 
 }  // namespace halfsilver::demo

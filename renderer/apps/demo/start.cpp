@@ -98,7 +98,7 @@ Options firstOptions(const Request& request) {
 
 }  // namespace halfsilver::demo
 
-extern "C" halfsilver::demo::Outcome halfsilver_demo_run(const halfsilver::demo::Request& request) {
+extern "C" void halfsilver_demo_run(const halfsilver::demo::Request& request, halfsilver::demo::Outcome& outcome) {
   using namespace halfsilver;
   try {
     keepFreedMemory();
@@ -106,12 +106,11 @@ extern "C" halfsilver::demo::Outcome halfsilver_demo_run(const halfsilver::demo:
       demo::runHeadless(request);
     else
       demo::runWindow(request);
-    return {};
   } catch (const Error& error) {
-    return {static_cast<int>(error.kind()), error.what()};
+    outcome = {static_cast<int>(error.kind()), error.what()};
   } catch (const std::bad_alloc&) {
-    return {static_cast<int>(ErrorKind::failed), "out of memory"};
+    outcome = {static_cast<int>(ErrorKind::failed), "out of memory"};
   } catch (const std::exception& error) {
-    return {static_cast<int>(ErrorKind::failed), error.what()};
+    outcome = {static_cast<int>(ErrorKind::failed), error.what()};
   }
 }
