@@ -31,6 +31,18 @@ constexpr auto choiceNames(Antialiasing) { return std::array{"none", "fxaa", "te
 template <class T>
 constexpr bool isChoice = std::is_enum_v<T> || std::is_same_v<T, std::string>;  // the one text names a method
 
+// A whole number, of which 0 is written as a word.
+template <class T>
+struct OrAuto {
+  T& value;
+};
+constexpr int kMaxVoxels = 512;  // along an axis
+constexpr const char* kAuto = "auto";
+template <class T>
+constexpr bool isOrAuto = false;
+template <class T>
+constexpr bool isOrAuto<OrAuto<T>> = true;
+
 template <class T>
 std::vector<std::string> choicesOf() {
   if constexpr (std::is_enum_v<T>) {
@@ -73,7 +85,8 @@ void visitAll(S& s, Visitor&& visit) {
   visit("select.min_contribution", s.select.minContribution, 0, 1,
         "pixels that add at most about this to the display go");
   visit("select.fill", s.select.fill, 0, 0, "what stands in for reflections that are not traced");
-  visit("voxels.resolution", s.voxels.resolution, 1, 512, "voxels along each axis (identity: at most)");
+  OrAuto voxels{s.voxels.resolution};
+  visit("voxels.resolution", voxels, 1, kMaxVoxels, "voxels along each axis (identity: at most); auto: sqrt(3 texels)");
   visitMethods(s, visit, [](std::string_view section) { return section == "voxels"; });
   visit("voxels.raster", s.voxels.raster, 0, 0, "how triangles reach voxels");
   visit("voxels.axis", s.voxels.axis, 0, 0, "how a dominant axis is chosen");
@@ -117,18 +130,29 @@ std::string numberText(T value) {
               "setting " + std::string(name) + ": '" + std::string(value) + "' is not " + expected);
 }
 
-double parseNumber(std::string_view name, std::string_view value, double low, double high, bool whole) {
+double parseNumber(std::string_view name, std::string_view value, double low, double high, bool whole,
+                   const std::string& orElse = {}) {
   double number = 0;
   const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), number);
   const bool valid = error == std::errc() && end == value.data() + value.size() && number >= low && number <= high &&
                      (!whole || number == std::floor(number));
   if (!valid)
     reject(name, value,
-           std::string(whole ? "a whole number" : "a number") + " from " + numberText(low) + " to " + numberText(high));
+           std::string(whole ? "a whole number" : "a number") + " from " + numberText(low) + " to " + numberText(high) +
+               orElse);
   return number;
 }
 
 }  // namespace
+
+int resolutionOf(const VoxelSettings& voxels, const ABufferSettings& abuffer) {
+  if (voxels.resolution != 0) return voxels.resolution;
+  return std::clamp(static_cast<int>(std::lround(std::sqrt(3.0 * abuffer.resolution))), 1, kMaxVoxels);
+}
+
+bool isWord(const SettingInfo& info) {
+  return std::find(info.choices.begin(), info.choices.end(), info.value) != info.choices.end();
+}
 
 std::vector<SettingInfo> describe(const Settings& settings) {
   std::vector<SettingInfo> infos;
@@ -146,6 +170,10 @@ std::vector<SettingInfo> describe(const Settings& settings) {
         info.value = value;
         for (const MethodInfo& method : methods()) info.help += "; " + method.name + ": " + method.help;
       }
+    } else if constexpr (isOrAuto<T>) {
+      info.kind = SettingInfo::Kind::integer;
+      info.choices = {kAuto};
+      info.value = value.value == 0 ? kAuto : numberText(value.value);
     } else {
       info.kind = std::is_integral_v<T> ? SettingInfo::Kind::integer : SettingInfo::Kind::real;
       info.value = numberText(value);
@@ -176,6 +204,9 @@ void set(Settings& settings, std::string_view name, std::string_view value) {
         target = static_cast<T>(chosen - names.begin());
       else
         target = *chosen;
+    } else if constexpr (isOrAuto<T>) {
+      target.value =
+          value == kAuto ? 0 : static_cast<int>(parseNumber(name, value, low, high, true, std::string(" or ") + kAuto));
     } else {
       target = static_cast<T>(parseNumber(name, value, low, high, std::is_integral_v<T>));
     }

@@ -16,6 +16,8 @@ namespace halfsilver::bench {
 namespace {
 
 constexpr std::size_t kLargeScene = 150000;  // triangles; the papers' large scene, Sponza, has 262,000
+// Texels along each side for those: with 1280 Sponza's fragments do not fit the texel buffers of all devices.
+constexpr int kLargeTexels = 1024;
 
 // The text of --mirror for one scene, without the scene's name before the material; nothing if it is not meant for it.
 // In a command of one scene it always is, whatever materials there are.
@@ -69,7 +71,8 @@ Settings presetSettings(const std::string& preset, bool quick, std::size_t trian
   applyPreset(settings, preset);
   if (!methodInfo(settings.trace.method).fixedResolution) return settings;
   settings.voxels.resolution = quick ? 32 : triangles > kLargeScene ? 256 : 64;
-  settings.abuffer.resolution = quick ? 256 : 1024;
+  if (quick) settings.abuffer.resolution = 256;
+  if (triangles > kLargeScene) settings.abuffer.resolution = std::min(settings.abuffer.resolution, kLargeTexels);
   return settings;
 }
 

@@ -23,7 +23,8 @@ struct BenchScene {
 std::vector<BenchScene> loadScenes(const Request& request);
 
 // A preset's settings for a scene of so many triangles. The papers' methods get the papers' voxels: 64^3, large scenes
-// 256^3 (Kastrati & Goswami 2017, section 4.1), quick runs fewer. Throws Error (usage) for an unknown preset.
+// 256^3 (Kastrati & Goswami 2017, section 4.1; Hu et al. 2014, figure 11), and quick runs fewer, with fewer texels;
+// large scenes get at most 1024^2 texels. Throws Error (usage) for an unknown preset.
 Settings presetSettings(const std::string& preset, bool quick, std::size_t triangles);
 
 }  // namespace halfsilver::bench

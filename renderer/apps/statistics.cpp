@@ -34,7 +34,10 @@ Json settingsJson(const Settings& settings) {
         json[info.name] = info.value == "true";
         break;
       case SettingInfo::Kind::integer:
-        json[info.name] = std::atoi(info.value.c_str());
+        if (isWord(info))
+          json[info.name] = info.value;
+        else
+          json[info.name] = std::atoi(info.value.c_str());
         break;
       case SettingInfo::Kind::real:
         json[info.name] = std::atof(info.value.c_str());

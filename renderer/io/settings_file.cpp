@@ -29,12 +29,12 @@ using Kind = SettingInfo::Kind;
   throw Error(ErrorKind::badInput, oneLine(name + ":" + std::to_string(line) + ": " + what));
 }
 
-const char* expectedType(Kind kind) {
-  switch (kind) {
+std::string expectedType(const SettingInfo& info) {
+  switch (info.kind) {
     case Kind::boolean:
       return "true or false";
     case Kind::integer:
-      return "a whole number";
+      return info.choices.empty() ? "a whole number" : "a whole number or \"" + info.choices.front() + '"';
     case Kind::real:
       return "a number";
     case Kind::choice:
@@ -44,9 +44,14 @@ const char* expectedType(Kind kind) {
 }
 
 // The value as set() takes it; empty if it does not have the setting's type.
-std::string valueText(const toml::node& node, Kind kind) {
+std::string valueText(const toml::node& node, const SettingInfo& info) {
+  const Kind kind = info.kind;
   if (kind == Kind::boolean && node.is_boolean()) return *node.value<bool>() ? "true" : "false";
-  if (kind == Kind::choice && node.is_string()) return *node.value<std::string>();
+  if (node.is_string()) {
+    const std::string text = *node.value<std::string>();
+    const bool known = std::find(info.choices.begin(), info.choices.end(), text) != info.choices.end();
+    return kind == Kind::choice || known ? text : std::string();  // set() says which choices there are
+  }
   if ((kind == Kind::integer || kind == Kind::real) && node.is_integer())
     return std::to_string(*node.value<std::int64_t>());
   if (kind == Kind::real && node.is_floating_point()) {
@@ -82,8 +87,8 @@ class Reader {
   void value(const std::string& full, const toml::node& node, std::uint32_t line) {
     const auto info = std::find_if(known_.begin(), known_.end(), [&](const auto& i) { return i.name == full; });
     if (info == known_.end()) reject(name_, line, "unknown setting '" + full + "'");
-    const std::string text = valueText(node, info->kind);
-    if (text.empty()) reject(name_, line, "setting " + full + ": must be " + expectedType(info->kind));
+    const std::string text = valueText(node, *info);
+    if (text.empty()) reject(name_, line, "setting " + full + ": must be " + expectedType(*info));
     try {
       set(settings_, full, text);
     } catch (const Error& error) {
@@ -195,7 +200,7 @@ std::string settingsText(const Settings& settings, std::span<const std::string> 
       section = info.name.substr(0, dot);
       text += (text.empty() ? "[" : "\n[") + section + "]\n";
     }
-    const std::string quote = info.kind == Kind::choice ? "\"" : "";
+    const std::string quote = isWord(info) ? "\"" : "";
     text += info.name.substr(dot + 1) + " = " + quote + info.value + quote + '\n';
   }
   return text;

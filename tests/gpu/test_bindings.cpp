@@ -275,7 +275,8 @@ TEST_F(Bindings, OfAttributesInSortedLinkedListsOfThreeBuffers) {
                          {"abuffer.resolution", "128"},
                          {"abuffer.buffers", "three"},
                          {"abuffer.lists", "linked"},
-                         {"abuffer.sorted", "true"}});
+                         {"abuffer.sorted", "true"},
+                         {"search.test", "depth"}});
 }
 
 TEST_F(Bindings, OfWhittedsRays) {

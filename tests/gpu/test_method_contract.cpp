@@ -61,8 +61,12 @@ const MethodCase kMethods[] = {
      "burger2007",
      {{"cube.axes", "all"}, {"cube.depth", "single"}, {"cube.block", "5"}, {"abuffer.resolution", "256"}},
      0.055},
-    {"hu2014", "hu2014", {{"select.mode", "reflective"}, {"abuffer.resolution", "256"}}, 0.048},
-    {"hu_full", "hu2014", {{"select.mode", "reflective"}, {"search.steps", "0"}, {"abuffer.resolution", "256"}}, 0.064},
+    {"hu2014", "hu2014", {{"select.mode", "reflective"}, {"abuffer.resolution", "256"}}, 0.3},
+    {"hu_planes",
+     "hu2014",
+     {{"select.mode", "reflective"}, {"search.test", "plane"}, {"abuffer.resolution", "256"}},
+     0.048},
+    {"hu_full", "hu2014", {{"select.mode", "reflective"}, {"search.steps", "0"}, {"abuffer.resolution", "256"}}, 0.3},
 };
 
 // What every method owes: an answer to each selected ray, none to the others, near the truth, the same every time.

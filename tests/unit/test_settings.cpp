@@ -69,8 +69,8 @@ TEST(Settings, MethodsAreThoseOfTheTable) {
     }
     EXPECT_EQ(method.preset.empty(), method.knobs.empty()) << method.name;
   }
-  EXPECT_EQ(names, (std::vector<std::string>{"none", "attributes", "depth-cube", "identity", "bvh", "screen-space",
-                                             "screen-first", "planar", "cubemap", "exact", "auto"}));
+  EXPECT_EQ(names, (std::vector<std::string>{"none", "attributes", "depth-cube", "identity", "bvh",
+                                             "screen-space", "screen-first", "planar", "cubemap", "exact", "auto"}));
   EXPECT_EQ(find(infos, "trace.method").choices, names);
   EXPECT_THROW(methodInfo("identities"), Error);
 }
@@ -81,10 +81,10 @@ TEST(Settings, AreInTheirFixedOrder) {
   for (const SettingInfo& info : describe({}))
     if (info.name.starts_with("voxels.") || info.name.starts_with("abuffer.") || info.name.starts_with("search."))
       names.push_back(info.name);
-  EXPECT_EQ(names,
-            (std::vector<std::string>{"voxels.resolution", "voxels.per_triangle", "voxels.raster", "voxels.axis",
-                                      "abuffer.resolution", "abuffer.keep", "abuffer.page_size", "abuffer.buffers",
-                                      "abuffer.lists", "abuffer.sorted", "search.steps", "search.refinements"}));
+  EXPECT_EQ(names, (std::vector<std::string>{"voxels.resolution", "voxels.per_triangle", "voxels.raster", "voxels.axis",
+                                             "abuffer.resolution", "abuffer.keep", "abuffer.page_size",
+                                             "abuffer.buffers", "abuffer.lists", "abuffer.sorted", "search.steps",
+                                             "search.refinements", "search.any_hit_refinements", "search.test"}));
 }
 
 // Takes the default of every setting back in, and both ends of its range, and every choice.
@@ -118,10 +118,25 @@ TEST(Settings, ValuesOutOfRangeAreRejected) {
   }
 }
 
+// Hu et al. 2014, section 5: sqrt(3 n) voxels along each side for n x n texels.
+TEST(Settings, AutoIsAsManyVoxelsAsTheTexelsNeed) {
+  Settings settings;
+  set(settings, "voxels.resolution", "auto");
+  EXPECT_EQ(valueOf(settings, "voxels.resolution"), "auto");
+  EXPECT_TRUE(isWord(find(describe(settings), "voxels.resolution")));
+  EXPECT_FALSE(isWord(find(describe({}), "voxels.resolution")));
+  for (const auto& [texels, voxels] : {std::pair(1280, 62), {1024, 55}, {512, 39}, {1, 2}, {4096, 111}}) {
+    settings.abuffer.resolution = texels;
+    EXPECT_EQ(resolutionOf(settings.voxels, settings.abuffer), voxels) << texels;
+  }
+  set(settings, "voxels.resolution", "100");
+  EXPECT_EQ(resolutionOf(settings.voxels, settings.abuffer), 100);
+}
+
 TEST(Settings, WrongValuesAreNamed) {
   EXPECT_EQ(rejection("select.mode", "some"), "setting select.mode: 'some' is not one of none, reflective, all");
   EXPECT_EQ(rejection("voxels.resolution", "12.5"),
-            "setting voxels.resolution: '12.5' is not a whole number from 1 to 512");
+            "setting voxels.resolution: '12.5' is not a whole number from 1 to 512 or auto");
   EXPECT_EQ(rejection("select.fraction", "1.01"), "setting select.fraction: '1.01' is not a number from 0 to 1");
   EXPECT_EQ(rejection("scene.cull_back_faces", "yes"), "setting scene.cull_back_faces: 'yes' is not true or false");
   EXPECT_EQ(rejection("select.modes", "none"), "unknown setting 'select.modes'");

@@ -78,12 +78,20 @@ TEST(SettingsFile, TextOfSettingsNamesWhatItMust) {
             "\"identity\"\n");
 }
 
+TEST(SettingsFile, NumbersMayHaveAWord) {
+  Settings settings;
+  applySettingsText(settings, "[voxels]\nresolution = \"auto\"\n", "a.toml");
+  EXPECT_EQ(settings.voxels.resolution, 0);
+  EXPECT_EQ(settingsText(settings), "[voxels]\nresolution = \"auto\"\n");
+}
+
 TEST(SettingsFile, NamesFileAndLineOfWhatIsWrong) {
   EXPECT_EQ(problemOf("[voxels]\nresolution = 32\nresolutoin = 3\n"), "a.toml:3: unknown setting 'voxels.resolutoin'");
   EXPECT_EQ(problemOf("\n[nonsense]\na = 1\n"), "a.toml:2: unknown section [nonsense]");
   EXPECT_EQ(problemOf("[voxels]\nresolution = \"32\"\n"),
-            "a.toml:2: setting voxels.resolution: must be a whole number");
-  EXPECT_EQ(problemOf("[voxels]\nresolution = 3.5\n"), "a.toml:2: setting voxels.resolution: must be a whole number");
+            "a.toml:2: setting voxels.resolution: must be a whole number or \"auto\"");
+  EXPECT_EQ(problemOf("[voxels]\nresolution = 3.5\n"),
+            "a.toml:2: setting voxels.resolution: must be a whole number or \"auto\"");
   EXPECT_EQ(problemOf("[abuffer]\nsorted = 1\n"), "a.toml:2: setting abuffer.sorted: must be true or false");
   EXPECT_EQ(problemOf("[select]\nmode = true\n"), "a.toml:2: setting select.mode: must be a quoted string");
   EXPECT_EQ(problemOf("[select]\nmode = []\n"), "a.toml:2: setting select.mode: must be a quoted string");
@@ -220,6 +228,11 @@ TEST(Presets, ApplyByName) {
   EXPECT_EQ(settings.attributes.buffers, Buffers::three);
   EXPECT_EQ(settings.attributes.lists, Lists::linked);
   EXPECT_TRUE(settings.attributes.sorted);
+  EXPECT_EQ(settings.attributes.test, InsideTest::depth);
+  EXPECT_EQ(settings.attributes.steps, 3);
+  EXPECT_EQ(settings.attributes.anyHitRefinements, 0);
+  EXPECT_EQ(settings.abuffer.resolution, 1280);
+  EXPECT_EQ(settings.voxels.resolution, 64);
   try {
     applyPreset(settings, "nosuch");
     FAIL() << "accepted";

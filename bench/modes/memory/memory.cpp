@@ -21,13 +21,19 @@ struct Variant {
 };
 
 // All methods. Kastrati's own A-buffer along all three axes is one of them: it differs from his only in the number of
-// A-buffers, while Hu's has linked lists. A preset that traces all pixels is measured on the reflective ones, too.
+// A-buffers, while Hu's has linked lists; both have the texels that Kastrati's table gives both. A preset that traces
+// all pixels is measured on the reflective ones, too.
 std::vector<Variant> variants(bool quick, std::size_t triangles, bool exact) {
+  const int texels = presetSettings("kastrati2017", quick, triangles).abuffer.resolution;
   std::vector<Variant> all;
   for (const std::string& preset : methodPresets(quick, triangles, exact)) {
-    const ReflectivePreset reflective = reflectivePreset(preset, quick, triangles);
+    ReflectivePreset reflective = reflectivePreset(preset, quick, triangles);
+    if (preset == "hu2014") reflective.settings.abuffer.resolution = texels;
     all.push_back({reflective.name, reflective.settings});
-    if (reflective.name != preset) all.push_back({preset + " all", presetSettings(preset, quick, triangles)});
+    if (reflective.name != preset) {
+      all.push_back({preset + " all", reflective.settings});
+      all.back().settings.select.mode = SelectMode::all;
+    }
     if (preset != "kastrati2017") continue;
     all.push_back({"kastrati2017 three", reflective.settings});
     all.back().settings.attributes.buffers = Buffers::three;

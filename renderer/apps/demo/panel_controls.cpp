@@ -34,8 +34,11 @@ void drawSetting(Settings& settings, const SettingInfo& info) {
       break;
     }
     case SettingInfo::Kind::integer: {
-      int value = std::stoi(info.value);
-      if (ImGui::SliderInt(label, &value, static_cast<int>(info.low), static_cast<int>(info.high)))
+      // A word that stands for a number is shown until a number is chosen.
+      const bool word = isWord(info);
+      int value = word ? static_cast<int>(info.low) : std::stoi(info.value);
+      const char* format = word ? info.value.c_str() : "%d";
+      if (ImGui::SliderInt(label, &value, static_cast<int>(info.low), static_cast<int>(info.high), format))
         assign(std::to_string(value));
       break;
     }

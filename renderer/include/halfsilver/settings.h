@@ -75,7 +75,9 @@ struct SelectSettings {
 };
 
 struct VoxelSettings {
-  int resolution = 512;  // voxels along each axis, 1..512; identity: along the longest, at most, in multiples of four
+  // Voxels along each axis, 1..512; identity: along the longest, at most, in multiples of four. 0: "auto",
+  // see resolutionOf().
+  int resolution = 512;
   VoxelRaster raster = VoxelRaster::conservative;
   AxisRule axis = AxisRule::own;
 
@@ -87,6 +89,10 @@ struct ABufferSettings {
 
   bool operator==(const ABufferSettings&) const = default;
 };
+
+// VoxelSettings::resolution, or what it stands for if it is 0: sqrt(3 n) for A-buffers of n x n texels, which Hu et al.
+// 2014 (section 5) found best for their method, rounded and within the range.
+int resolutionOf(const VoxelSettings& voxels, const ABufferSettings& abuffer);
 
 struct TraceSettings {
   std::string method = "identity";     // a name of methods(), see methods.h
@@ -152,9 +158,12 @@ struct SettingInfo {
   std::string value;  // as it would be written after --set
   Kind kind = Kind::real;
   double low = 0, high = 0;          // inclusive, for numbers
-  std::vector<std::string> choices;  // for choices
+  std::vector<std::string> choices;  // for choices; of a number: words that may stand for it
   std::string help;                  // one line, with the unit
 };
+
+// Whether the value is one of the words of `choices`, which files put in quotes.
+bool isWord(const SettingInfo& info);
 
 // All settings with their present values, in a fixed order.
 std::vector<SettingInfo> describe(const Settings& settings);

@@ -32,6 +32,7 @@ TracePass makeTracePass(const gl::Api& api, const Settings& settings) {
   std::vector<gl::Define> defines = pageDefines(pageSize(settings));
   defines.push_back({"LINEAR_STEPS", std::to_string(settings.attributes.steps)});
   if (settings.attributes.sorted) defines.push_back({"SORTED"});
+  if (settings.attributes.test == InsideTest::depth) defines.push_back({"DEPTH_TEST"});
   return TracePass(api, settings.trace, "tracing/attributes", std::move(defines));
 }
 
@@ -49,7 +50,7 @@ Method AttributeTracer::method() {
        .help = "fragments with all surface attributes (Hu et al. 2014; Kastrati & Goswami 2017)",
        .settings = {"voxels.resolution", "voxels.raster", "voxels.axis", "abuffer.resolution", "abuffer.page_size",
                     "abuffer.buffers", "abuffer.lists", "abuffer.sorted", "search.steps", "search.refinements",
-                    "trace.stage", "trace.count_work"},
+                    "search.any_hit_refinements", "search.test", "trace.stage", "trace.count_work"},
        .fixedResolution = true,
        .preset = "kastrati2017",
        .knobs = {{"search.steps", {"1", "3", "0"}},
@@ -75,7 +76,8 @@ void AttributeTracer::update(const FrameView& view, const SceneChange&) {
     throw Error(ErrorKind::failed, "the scene has " + std::to_string(scene.triangleCount) +
                                        " triangles; fragments with attributes can name " +
                                        std::to_string(kMaxTriangles));
-  grid_ = makeGrid(scene.extents.bounds(), settings_.voxels.resolution, settings_.abuffer.resolution);
+  grid_ =
+      makeGrid(scene.extents.bounds(), resolutionOf(settings_.voxels, settings_.abuffer), settings_.abuffer.resolution);
   voxelPass_.run(scene, view.profiler, grid_, voxels_);
 
   const auto scope = view.profiler.section("build");
@@ -126,8 +128,16 @@ void AttributeTracer::sortLists() {
 }
 
 void AttributeTracer::trace(const FrameView& view, const RayQueue& rays, Hits& hits) {
+  search(view, rays, hits, settings_.attributes.refinements);
+}
+
+void AttributeTracer::occluded(const FrameView& view, const RayQueue& rays, Hits& hits) {
+  search(view, rays, hits, settings_.attributes.anyHitRefinements);
+}
+
+void AttributeTracer::search(const FrameView& view, const RayQueue& rays, const Hits& hits, int refinements) {
   grid_.apply(tracePass_.program());
-  tracePass_.program().set("refinements", settings_.attributes.refinements);
+  tracePass_.program().set("refinements", refinements);
   tracePass_.run(view, rays, hits, {[this] {
                    voxels_.words.bindStorage(SSBO_VOXELS);
                    pool_.bind();

@@ -23,6 +23,7 @@ class AttributeTracer final : public Tracer {
 
   void update(const FrameView& view, const SceneChange& change) override;
   void trace(const FrameView& view, const RayQueue& rays, Hits& hits) override;
+  void occluded(const FrameView& view, const RayQueue& rays, Hits& hits) override;
   bool storesAttributes() const override { return true; }
   TracerMemory memory() const override;
   StructureCells cells() const override;
@@ -31,6 +32,7 @@ class AttributeTracer final : public Tracer {
 
  private:
   void sortLists();
+  void search(const FrameView& view, const RayQueue& rays, const Hits& hits, int refinements);
 
   const gl::Api* api_;
   Settings settings_;

@@ -35,7 +35,7 @@ std::uint64_t times(double factor, std::uint64_t words) {
 // Only conservative voxels hold every triangle, so the other rasters of VoxelRaster are not offered here.
 RunStore::RunStore(const gl::Api& api, const Settings& settings)
     : api_(&api),
-      resolution_(settings.voxels.resolution),
+      resolution_(settings.voxels.resolution != 0 ? settings.voxels.resolution : VoxelSettings().resolution),
       voxelsPerTriangle_(static_cast<double>(settings.identity.voxelsPerTriangle)),
       ownAxis_(settings.voxels.axis == AxisRule::own),
       voxelPass_(api, VoxelRaster::conservative, settings.voxels.axis),

@@ -21,7 +21,8 @@ layout(location = 2) in vec3 inBarycentricsDepth;
 // Whether this A-buffer is that of the fragment's voxel.
 bool wanted(ivec2 texel, float depth) {
   ivec3 voxels = permutedVoxels(inAxis);
-  ivec3 cell = ivec3(texel * voxels.xy / bufferResolution, clamp(int(floor(depth * float(voxels.z))), 0, voxels.z - 1));
+  int layer = clamp(int(floor(depth * float(voxels.z))), 0, voxels.z - 1);
+  ivec3 cell = ivec3(columnOf(texel, voxels.xy, bufferResolution), layer);
   return (voxelMask(ivec3(unpermute(vec3(cell), inAxis))) & (1u << uint(inAxis))) != 0u;
 }
 

@@ -5,12 +5,17 @@
 #include "shared/rays.h"
 #include "shared/structs.h"
 #include "tracing/attributes/entry.glsl"
-#include "tracing/attributes/sample.glsl"
+#include "tracing/attributes/fragments.glsl"
 #include "tracing/common/grid.glsl"
 #include "tracing/common/ray_work.glsl"
 #include "tracing/common/trace_state.glsl"
 #include "tracing/common/voxel_store.glsl"
 #include "tracing/common/walk.glsl"
+#ifdef DEPTH_TEST
+#include "tracing/attributes/depth_test.glsl"
+#else
+#include "tracing/attributes/plane_test.glsl"
+#endif
 
 layout(std430, binding = SSBO_HIT_SURFACES) writeonly buffer HitSurfaceBlock { HitSurface hitSurfaces[]; };
 uniform int refinements;
@@ -26,15 +31,10 @@ void refine(TraceRay ray, Slab slab, Sample a, Sample b, inout Hit best, inout i
     else
       a = middle;
   }
-  // What is left of the stretch is cut by the plane of the fragment behind.
-  float t = b.t;
-  if (b.nearest != noFragment) {
-    float before = planeSide(ray, slab.axis, a.t, b.texel, b.nearestDepth, normalOf(b.nearest));
-    if (before * b.side < 0.0) t = a.t + (b.t - a.t) * before / (before - b.side);
-  }
-  uint fragment = b.nearest != noFragment ? b.nearest : a.nearest;
+  uint fragment;
+  float t = settle(ray, slab.axis, a, b, fragment);
   if (fragment == noFragment || t < ray.least || t >= best.t) return;
-  best = Hit(t, uint(imageLoad(pool, int(fragment) * ENTRY_TEXELS + 1).w), 0.0, 0.0);
+  best = Hit(t, triangleOf(fragment), 0.0, 0.0);
   foundFragment = fragment;
 }
 
@@ -48,8 +48,7 @@ void searchBuffer(TraceRay ray, int axis, float begin, float end, inout Hit best
 
   float known = best.t;
   Sample last = sampleAt(ray, slab, begin, texelAt(ray, axis, begin), work);
-  // A wall between two voxels may have left fragments in neither: the ray then starts inside.
-  if (last.side < 0.0 && begin > ray.least && !sheet(last) && facing(ray, last)) {
+  if (startsInside(ray, last)) {
     best = Hit(begin, uint(last.nearestTriangle), 0.0, 0.0);
     foundFragment = last.nearest;
     return;

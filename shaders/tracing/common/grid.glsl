@@ -18,6 +18,9 @@ vec3 unpermute(vec3 v, int axis) { return axis == 0 ? v.zxy : (axis == 1 ? v.yzx
 // Voxels along the axes of an A-buffer, its depth last.
 ivec3 permutedVoxels(int axis) { return ivec3(permute(vec3(voxelCount), axis)); }
 
+// The column of voxels that holds the center of a texel, of a raster with `resolution` texels along each side.
+ivec2 columnOf(ivec2 texel, ivec2 voxels, int resolution) { return (2 * texel + 1) * voxels / (2 * resolution); }
+
 // Dominant axis of a direction; ties go to the lower axis on every device.
 int dominantAxis(vec3 direction) {
   vec3 size = abs(direction);

@@ -38,6 +38,6 @@ void main() {
   float resolution = float(rasterResolution);
   if (inGrownBox(projected, texel, resolution)) visitAt(texel, depthInTexel(projected, texel, resolution));
 #else
-  visitAt(texel * permutedVoxels(inAxis).xy / rasterResolution, inDepth);
+  visitAt(columnOf(texel, permutedVoxels(inAxis).xy, rasterResolution), inDepth);
 #endif
 }

@@ -25,6 +25,13 @@ ivec3 voxelAt(TraceRay ray, float t) {
   return clamp(ivec3(floor(at)), ivec3(0), voxelCount - 1);
 }
 
+// Whether the ray is within so many voxels of its origin: there it sees the surface that it leaves in other texels and
+// voxels than its own.
+bool near(float t, float voxels) {
+  vec3 voxelsPerMetre = vec3(voxelCount) * gridInverse;
+  return t * max(voxelsPerMetre.x, max(voxelsPerMetre.y, voxelsPerMetre.z)) <= voxels;
+}
+
 struct VoxelWalk {
   ivec3 voxel;
   vec3 boundary;  // parameter of the boundary ahead, per axis

@@ -1,14 +1,8 @@
-// What a point of a ray sees of the fragments in its texel, and whether there is a surface between two points.
-#include "lib/scene.glsl"
-#include "lib/triangles.glsl"
-#include "tracing/attributes/entry.glsl"
-#include "tracing/attributes/page_cursor.glsl"
-#include "tracing/common/grid.glsl"
+// search.test=plane: a point lies inside an object if it is behind the plane of the fragment that is nearest to it in
+// depth. So a surface is known between its texels, and sheets and open objects have sides, too.
+#include "tracing/attributes/fragments.glsl"
 #include "tracing/common/ray_work.glsl"
 #include "tracing/common/trace_state.glsl"
-#include "tracing/common/walk.glsl"
-
-const uint noFragment = 0xffffffffu;
 
 // What a point of the ray sees in its texel, among the fragments that count for this voxel and ray.
 struct Sample {
@@ -20,17 +14,6 @@ struct Sample {
   float nearestDepth;
   float nearestTriangle;  // ties go to the lower number: the order of a list is the GPU's choice
 };
-
-struct Slab {
-  int axis;
-  vec2 depths;  // fragments outside do not count
-};
-
-// Near its origin a ray sees the surface that it leaves in other texels than its own, known by one depth each.
-bool near(float t, float voxels) {
-  vec3 voxelsPerMetre = vec3(voxelCount) * gridInverse;
-  return t * max(voxelsPerMetre.x, max(voxelsPerMetre.y, voxelsPerMetre.z)) <= voxels;
-}
 
 // The triangle's number alone does not keep a ray off the surface that it leaves: on a curved one some neighbors'
 // depths lie in front of the ray. Near its origin it therefore does not see surfaces that face along it, as those of
@@ -75,16 +58,7 @@ Sample sampleAt(TraceRay ray, Slab slab, float t, ivec2 texel, inout int work) {
   return s;
 }
 
-ivec2 texelAt(TraceRay ray, int axis, float t) {
-  vec2 p = permute(ray.gridOrigin + ray.gridDirection * t, axis).xy;
-  return clamp(ivec2(floor(p * float(bufferResolution))), ivec2(0), ivec2(bufferResolution - 1));
-}
-
 bool sheet(Sample s) { return doubleSided(triangleAt(uint(s.nearestTriangle)).w); }
-
-vec3 normalOf(uint fragment) {
-  return unpackNormalReflectivity(imageLoad(pool, int(fragment) * ENTRY_TEXELS + 1)).xyz;
-}
 
 // Into a solid the ray goes through a surface that faces it; the backs of single-sided surfaces are invisible.
 bool facing(TraceRay ray, Sample s) { return dot(normalOf(s.nearest), ray.direction) < 0.0; }
@@ -102,4 +76,18 @@ bool crossed(TraceRay ray, int axis, Sample a, Sample b) {
     return planeSide(ray, axis, a.t, b.texel, b.nearestDepth, normalOf(b.nearest)) >= -halfTexel;
   }
   return a.side < 0.0 && b.side > 0.0 && sheet(b) && !facing(ray, a) && !facing(ray, b);
+}
+
+// Whether the ray is inside where it comes into a voxel: a wall between two voxels may have left fragments in neither.
+bool startsInside(TraceRay ray, Sample s) {
+  return s.side < 0.0 && s.t > ray.least && !sheet(s) && facing(ray, s);
+}
+
+// Where between two points the surface lies, and its fragment: what is left of the stretch is cut by the plane of the
+// fragment behind.
+float settle(TraceRay ray, int axis, Sample a, Sample b, out uint fragment) {
+  fragment = b.nearest != noFragment ? b.nearest : a.nearest;
+  if (b.nearest == noFragment) return b.t;
+  float before = planeSide(ray, axis, a.t, b.texel, b.nearestDepth, normalOf(b.nearest));
+  return before * b.side < 0.0 ? a.t + (b.t - a.t) * before / (before - b.side) : b.t;
 }
