@@ -12,6 +12,7 @@
 #include "tracing/planar/planar_tracer.h"
 #include "tracing/screen/screen_tracer.h"
 #include "tracing/screen_first/screen_first_tracer.h"
+#include "tracing/voxels/voxel_tracer.h"
 
 namespace halfsilver {
 namespace {
@@ -22,6 +23,7 @@ const std::vector<Method>& table() {
       {{.name = "none", .help = "no tracing"}, [](const gl::Api&, const Settings&) { return nullptr; }},
       AttributeTracer::method(),
       DepthCubeTracer::method(),
+      VoxelTracer::method(),
       IdentityTracer::method(),
       BvhTracer::method(),
       ScreenTracer::method(),

@@ -9,38 +9,41 @@
 namespace halfsilver {
 namespace {
 
-std::vector<gl::Define> rasterDefines(VoxelRaster raster, AxisRule axis) {
+std::vector<gl::Define> rasterDefines(VoxelRaster raster, AxisRule axis, bool triangles) {
   std::vector<gl::Define> defines;
   if (raster == VoxelRaster::conservative) defines.push_back({"CONSERVATIVE"});
   if (raster == VoxelRaster::shifted) defines.push_back({"SHIFTED"});
   if (axis != AxisRule::own) defines.push_back({"ACCUMULATE"});
+  if (triangles) defines.push_back({"KEEP_TRIANGLES"});
   return defines;
 }
 
 }  // namespace
 
 std::size_t Voxels::bytes() const {
-  return words.bytes() + normalSums[0].bytes() + normalSums[1].bytes() + normalSums[2].bytes();
+  return words.bytes() + normalSums[0].bytes() + normalSums[1].bytes() + normalSums[2].bytes() + triangles.bytes();
 }
 
 void Voxels::bind() const {
   words.bindStorage(SSBO_VOXELS);
   for (GLuint i = 0; i < 3; ++i)
     if (normalSums[i]) normalSums[i].bindStorage(SSBO_NORMAL_X + i);
+  if (triangles) triangles.bindStorage(SSBO_VOXEL_TRIANGLES);
 }
 
-VoxelPass::VoxelPass(const gl::Api& api, VoxelRaster raster, AxisRule axis)
+VoxelPass::VoxelPass(const gl::Api& api, VoxelRaster raster, AxisRule axis, bool triangles)
     : api_(&api),
       raster_(raster),
       axis_(axis),
+      triangles_(triangles),
       rasterize_(gl::Program::raster(
           api,
           raster == VoxelRaster::conservative ? "tracing/common/large_triangles.vert" : "tracing/common/voxelize.vert",
-          "tracing/common/voxelize.frag", rasterDefines(raster, axis))),
+          "tracing/common/voxelize.frag", rasterDefines(raster, axis, triangles))),
       vertexArray_(api),
       large_(api) {
   if (raster == VoxelRaster::conservative)
-    small_ = gl::Program::compute(api, "tracing/common/voxelize_small.comp", rasterDefines(raster, axis));
+    small_ = gl::Program::compute(api, "tracing/common/voxelize_small.comp", rasterDefines(raster, axis, triangles));
   if (axis != AxisRule::own) chooseAxis_ = gl::Program::compute(api, "tracing/common/voxel_axis.comp");
 }
 
@@ -55,6 +58,11 @@ void VoxelPass::run(const GpuScene& scene, gl::Profiler& profiler, const Grid& g
       if (out.normalSums[i].bytes() != bytes) out.normalSums[i] = gl::Buffer(*api_, bytes, "sum of normals");
       out.normalSums[i].fill(0);
     }
+  }
+  if (triangles_) {
+    const std::size_t bytes = grid.voxelCount() * sizeof(GLuint);
+    if (out.triangles.bytes() != bytes) out.triangles = gl::Buffer(*api_, bytes, "triangles of voxels");
+    out.triangles.fill(NO_TRIANGLE);
   }
   // Clears of buffers come before the fragments' atomics.
   api_->MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);

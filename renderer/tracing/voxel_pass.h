@@ -14,9 +14,10 @@ namespace halfsilver {
 struct Voxels {
   gl::Buffer words;
   gl::Buffer normalSums[3];  // while the dominant axis is chosen from sums of normals; empty for AxisRule::own
+  gl::Buffer triangles;      // uint[voxels]: the lowest triangle in each, or NO_TRIANGLE; only if asked for
 
   std::size_t bytes() const;
-  void bind() const;  // SSBO_VOXELS, SSBO_NORMAL_X to Z
+  void bind() const;  // SSBO_VOXELS, SSBO_NORMAL_X to Z, SSBO_VOXEL_TRIANGLES
 };
 
 // Rasterizes the scene into the grid and chooses the dominant axes; see VoxelRaster and AxisRule.
@@ -24,7 +25,8 @@ struct Voxels {
 // Goswami 2017, section 3.2.1; Hasselgren et al. 2005 (shifted edges).
 class VoxelPass {
  public:
-  VoxelPass(const gl::Api& api, VoxelRaster raster, AxisRule axis);
+  // `triangles`: one triangle of each voxel is kept, too.
+  VoxelPass(const gl::Api& api, VoxelRaster raster, AxisRule axis, bool triangles = false);
 
   // Section "voxelize". Ends with the grid readable by shaders.
   void run(const GpuScene& scene, gl::Profiler& profiler, const Grid& grid, Voxels& out);
@@ -37,6 +39,7 @@ class VoxelPass {
   const gl::Api* api_;
   VoxelRaster raster_;
   AxisRule axis_;
+  bool triangles_;
   gl::Program rasterize_;
   gl::Program small_;       // of VoxelRaster::conservative: small triangles
   gl::Program chooseAxis_;  // empty for AxisRule::own

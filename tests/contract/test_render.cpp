@@ -109,9 +109,9 @@ INSTANTIATE_TEST_SUITE_P(Render, EveryPreset,
                                          PresetCase{"reference", false, false}, PresetCase{"bvh", false, false},
                                          PresetCase{"screen-space", false, false},
                                          PresetCase{"screen-first", false, false}, PresetCase{"planar", false, false},
-                                         PresetCase{"cubemap", false, false}, PresetCase{"halfsilver", false, false},
-                                         PresetCase{"occlusion", true, false}, PresetCase{"path", true, false},
-                                         PresetCase{"whitted", true, false}),
+                                         PresetCase{"cubemap", false, false}, PresetCase{"voxels", false, false},
+                                         PresetCase{"halfsilver", false, false}, PresetCase{"occlusion", true, false},
+                                         PresetCase{"path", true, false}, PresetCase{"whitted", true, false}),
                          [](const auto& instance) {
                            std::string name = instance.param.name;
                            std::replace(name.begin(), name.end(), '-', '_');

@@ -248,6 +248,10 @@ TEST_F(Bindings, OfALayeredDepthCube) {
   expectNothingBorrowed(litSoup(), kAbove, {{"trace.method", "depth-cube"}, {"abuffer.resolution", "128"}});
 }
 
+TEST_F(Bindings, OfVoxelsAlone) {
+  expectNothingBorrowed(litSoup(), kAbove, {{"trace.method", "voxels"}, {"voxels.resolution", "32"}});
+}
+
 TEST_F(Bindings, OfShiftedEdges) {
   expectNothingBorrowed(litSoup(), kAbove,
                         {{"trace.method", "attributes"},

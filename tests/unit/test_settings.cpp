@@ -69,7 +69,7 @@ TEST(Settings, MethodsAreThoseOfTheTable) {
     }
     EXPECT_EQ(method.preset.empty(), method.knobs.empty()) << method.name;
   }
-  EXPECT_EQ(names, (std::vector<std::string>{"none", "attributes", "depth-cube", "identity", "bvh",
+  EXPECT_EQ(names, (std::vector<std::string>{"none", "attributes", "depth-cube", "voxels", "identity", "bvh",
                                              "screen-space", "screen-first", "planar", "cubemap", "exact", "auto"}));
   EXPECT_EQ(find(infos, "trace.method").choices, names);
   EXPECT_THROW(methodInfo("identities"), Error);

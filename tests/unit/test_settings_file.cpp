@@ -158,7 +158,7 @@ TEST(Presets, AreThePublishedSystemsAndHoldNoDefaults) {
     byName[preset.name] = preset;
   }
   for (const char* name : {"deferred", "kastrati2017", "hu2014", "reference", "bvh", "screen-space", "screen-first",
-                           "planar", "cubemap", "halfsilver"})
+                           "planar", "cubemap", "voxels", "halfsilver"})
     ASSERT_TRUE(byName.count(name)) << name;
   EXPECT_TRUE(byName["halfsilver"].values.empty());
   Settings automatic;

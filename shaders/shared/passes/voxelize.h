@@ -7,5 +7,6 @@
 #define SSBO_NORMAL_X 12  // int[voxels]: sums of normals, times NORMAL_SCALE
 #define SSBO_NORMAL_Y 13
 #define SSBO_NORMAL_Z 14
+#define SSBO_VOXEL_TRIANGLES 15  // uint[voxels]: the lowest triangle that has a fragment there, or NO_TRIANGLE
 
 #endif

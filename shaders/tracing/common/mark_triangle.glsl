@@ -15,8 +15,15 @@ layout(std430, binding = SSBO_NORMAL_Z) buffer NormalZ { int normalZ[]; };
 uniform int absoluteNormals;  // 1: votes by area, 0: signed normals
 #endif
 
+#ifdef KEEP_TRIANGLES
+layout(std430, binding = SSBO_VOXEL_TRIANGLES) buffer TriangleOfVoxel { uint voxelTriangles[]; };
+#endif
+
 // A voxel that a triangle, seen along `axis`, has a fragment in.
 void markTriangle(ivec3 voxel, uint triangle, int axis) {
+#ifdef KEEP_TRIANGLES
+  atomicMin(voxelTriangles[voxelIndex(voxel)], triangle);
+#endif
 #ifdef ACCUMULATE
   vec3 a, b, c;
   trianglePositions(triangle, a, b, c);

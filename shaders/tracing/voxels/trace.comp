@@ -1,0 +1,2 @@
+#include "tracing/voxels/search.glsl"
+#include "tracing/common/trace_compute.glsl"
