@@ -106,6 +106,33 @@ TEST(BenchPaper, OneCommandMeasuresAPaper) {
   EXPECT_EQ(again.out, result.out);
 }
 
+TEST(BenchPaper, HusPageHoldsItsRulesAgainstTheAlternatives) {
+  const TemporaryFolder folder;
+  const ProgramResult result = runProgramIn(folder, "paper hu2014 -o DIR --quick --size 48x36", "HALFSILVER_SCENES= ");
+  ASSERT_EQ(result.exitCode, 0) << result.err;
+  std::ifstream file(folder.path() / "DIR" / "paper.json");
+  const nlohmann::json record = nlohmann::json::parse(file);
+  int depths = 0, planes = 0, ruled = 0, voxels = 0, unrefined = 0;
+  for (const auto& point : record["points"]) {
+    const auto& settings = point["settings"];
+    if (settings["trace.method"] == "voxels") {
+      ++voxels;
+      EXPECT_EQ(settings["trace.effect"], "occlusion") << point["row"];
+      EXPECT_GT(point["error"]["rmse"], 0) << point["row"];
+    }
+    if (settings["trace.method"] != "attributes") continue;
+    settings["search.test"] == "depth" ? ++depths : ++planes;
+    ruled += settings["voxels.resolution"] == "auto" ? 1 : 0;
+    unrefined += settings["search.any_hit_refinements"] == 0 ? 1 : 0;
+  }
+  EXPECT_EQ(planes, 3);
+  EXPECT_GT(depths, 20);
+  EXPECT_EQ(ruled, 2);
+  EXPECT_EQ(voxels, 2);
+  EXPECT_GT(unrefined, 20);
+  EXPECT_NE(readText(folder / "DIR/index.html").find("sparse voxel octree"), std::string::npos);
+}
+
 TEST(BenchPaper, RefinedShadowsAreCountedByWhetherRaysDecideThem) {
   const TemporaryFolder folder;
   const ProgramResult result =
