@@ -1,9 +1,11 @@
 // The attribute methods' own settings: what is inside, how many voxels, and rays that need no exact hit.
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <string>
 #include <vector>
 
+#include <halfsilver/builtin.h>
 #include <halfsilver/io.h>
 #include "builtin/mesh_builder.h"
 #include "gpu/shader_function.h"
@@ -69,6 +71,26 @@ TEST_F(AttributesTest, DepthsAloneFindTheWayOutOfAnObject) {
   EXPECT_EQ(errors.rays, 120u * 90u);
   expectNontrivial(errors, exact);
   EXPECT_LE(errors.hitError, 0.032);
+}
+
+// A ray on its way into glass faces the surface that it leaves, other than one that is reflected: it must not hit that.
+TEST_F(AttributesTest, RaysIntoGlassDoNotHitWhatTheyPass) {
+  const Model model = makeBuiltin("glass");
+  // The ball of green glass, which fills the picture.
+  Camera camera = lookAt({1.7f, 0.6f, 2.4f}, {1.7f, 0.45f, 0.9f});
+  camera.verticalFov = 0.5f;
+  const auto light = [&](const Settings& settings) {
+    return draw(model.scene, camera, settings, 64, 48).plane("reflection.G");
+  };
+  const std::vector<float> exact = light(settingsWith(
+      {{"trace.method", "exact"}, {"select.mode", "all"}, {"trace.effect", "whitted"}, {"trace.bounces", "3"}}));
+  const std::vector<float> found =
+      light(hu({{"select.mode", "all"}, {"trace.effect", "whitted"}, {"trace.bounces", "3"}}));
+  std::size_t far = 0;
+  for (std::size_t i = 0; i < exact.size(); ++i) far += std::abs(found[i] - exact[i]) > 0.1f * exact[i] ? 1 : 0;
+  EXPECT_GT(*std::max_element(exact.begin(), exact.end()), 0.2f);
+  EXPECT_LT(far, exact.size() / 10) << "of " << exact.size();
+  RecordProperty("far", static_cast<int>(far));
 }
 
 // Two sheets between two points of the search leave both on the same side of everything.
