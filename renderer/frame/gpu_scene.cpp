@@ -115,6 +115,9 @@ void uploadMaterials(const gl::Api& api, GpuScene& gpu, const Scene& scene, std:
       std::count_if(materials.begin(), materials.end(), [](const shared::GpuMaterial& material) {
         return (material.flags & (MATERIAL_TRANSMISSIVE | MATERIAL_COATED)) != 0;
       }));
+  gpu.lobes = std::any_of(materials.begin(), materials.end(), [](const shared::GpuMaterial& material) {
+    return (material.flags & (MATERIAL_SHEEN | MATERIAL_ANISOTROPIC)) != 0;
+  });
   constexpr float kLargestHalf = 65504;
   gpu.beyondHalf = std::any_of(materials.begin(), materials.end(), [](const shared::GpuMaterial& material) {
     return std::max({material.emissive.r, material.emissive.g, material.emissive.b}) > kLargestHalf;

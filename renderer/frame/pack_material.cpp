@@ -42,7 +42,7 @@ glm::vec3 absorption(const Material& material) {
   return -glm::log(color) / std::max(material.attenuationDistance, kShortest);
 }
 
-// Transmission and coat.
+// Transmission, coat, sheen and anisotropy.
 void packLayers(const Material& material, shared::GpuMaterial& packed) {
   if (material.unlit || material.mirror) return;
   if (material.transmission > 0) {
@@ -59,10 +59,23 @@ void packLayers(const Material& material, shared::GpuMaterial& packed) {
     packed.coatRoughness = material.coatRoughness;
     packed.coatNormalScale = material.coatNormalScale;
   }
+  if (material.sheenColor != glm::vec3(0)) {
+    packed.flags |= MATERIAL_SHEEN;
+    packed.sheenColor = material.sheenColor;
+    packed.sheenRoughness = material.sheenRoughness;
+  }
+  if (material.anisotropy > 0) {
+    packed.flags |= MATERIAL_ANISOTROPIC;
+    packed.anisotropy = material.anisotropy;
+    packed.anisotropyX = std::cos(material.anisotropyRotation);
+    packed.anisotropyY = std::sin(material.anisotropyRotation);
+  }
 }
 
 // Textures of layers that are not there need not be read.
 bool hasEffect(const shared::GpuMaterial& material, std::size_t use) {
+  if (use == TEXTURE_ANISOTROPY) return (material.flags & MATERIAL_ANISOTROPIC) != 0;
+  if (use >= TEXTURE_SHEEN_COLOR) return (material.flags & MATERIAL_SHEEN) != 0;
   if (use >= TEXTURE_CLEARCOAT) return (material.flags & MATERIAL_COATED) != 0;
   return use < TEXTURE_TRANSMISSION || (material.flags & MATERIAL_TRANSMISSIVE) != 0;
 }
@@ -83,6 +96,9 @@ TextureUses textureUses(const Material& material) {
   uses[TEXTURE_CLEARCOAT] = &material.coatTexture;
   uses[TEXTURE_CLEARCOAT_ROUGHNESS] = &material.coatRoughnessTexture;
   uses[TEXTURE_CLEARCOAT_NORMAL] = &material.coatNormalTexture;
+  uses[TEXTURE_SHEEN_COLOR] = &material.sheenColorTexture;
+  uses[TEXTURE_SHEEN_ROUGHNESS] = &material.sheenRoughnessTexture;
+  uses[TEXTURE_ANISOTROPY] = &material.anisotropyTexture;
   return uses;
 }
 

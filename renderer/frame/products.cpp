@@ -36,9 +36,21 @@ void ShadowMaps::bind() const {
 std::size_t GBuffer::bytes() const {
   std::size_t sum = 0;
   for (const gl::Texture* texture : {&depth, &visibility, &position, &normal, &baseColor, &material, &emissive, &shaded,
-                                     &reflection, &motion, &shadowMarks, &tested})
+                                     &reflection, &motion, &shadowMarks, &tested, &sheen, &anisotropy})
     sum += texture->bytes();
   return sum;
+}
+
+void GBuffer::bindSurface() const {
+  position.bind(UNIT_POSITION);
+  normal.bind(UNIT_NORMAL);
+  baseColor.bind(UNIT_BASE_COLOR);
+  material.bind(UNIT_MATERIAL);
+  emissive.bind(UNIT_EMISSIVE);
+  visibility.bind(UNIT_VISIBILITY);
+  if (!sheen) return;
+  sheen.bind(UNIT_SHEEN);
+  anisotropy.bind(UNIT_ANISOTROPY);
 }
 
 }  // namespace halfsilver

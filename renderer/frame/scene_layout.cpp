@@ -41,8 +41,13 @@ HALFSILVER_AT(GpuMaterial, thickness, 112);
 HALFSILVER_AT(GpuMaterial, coat, 116);
 HALFSILVER_AT(GpuMaterial, coatRoughness, 120);
 HALFSILVER_AT(GpuMaterial, coatNormalScale, 124);
-HALFSILVER_AT(GpuMaterial, textures, 128);
-static_assert(sizeof(GpuMaterial) == 128 + TEXTURE_USES * sizeof(GpuTexture));
+HALFSILVER_AT(GpuMaterial, sheenColor, 128);
+HALFSILVER_AT(GpuMaterial, sheenRoughness, 140);
+HALFSILVER_AT(GpuMaterial, anisotropy, 144);
+HALFSILVER_AT(GpuMaterial, anisotropyX, 148);
+HALFSILVER_AT(GpuMaterial, anisotropyY, 152);
+HALFSILVER_AT(GpuMaterial, textures, 160);
+static_assert(sizeof(GpuMaterial) == 160 + TEXTURE_USES * sizeof(GpuTexture));
 
 HALFSILVER_AT(GpuLight, position, 0);
 HALFSILVER_AT(GpuLight, range, 12);

@@ -27,7 +27,8 @@ constexpr std::array kExtensions = {
     "KHR_materials_volume",     "KHR_materials_clearcoat", "KHR_materials_transmission",
     "KHR_materials_dispersion", "KHR_mesh_quantization",   "KHR_draco_mesh_compression",
     "EXT_meshopt_compression",  "EXT_texture_webp",        "EXT_texture_avif",
-    "KHR_materials_variants",   "EXT_mesh_gpu_instancing"};
+    "KHR_materials_variants",   "EXT_mesh_gpu_instancing", "KHR_materials_sheen",
+    "KHR_materials_anisotropy"};
 constexpr std::array kLists = {"accessors", "animations", "bufferViews", "buffers", "cameras", "images",  "materials",
                                "meshes",    "nodes",      "samplers",    "scenes",  "skins",   "textures"};
 

@@ -79,7 +79,7 @@ struct MaterialInfo {
   Material material;  // without its textures
   std::string alphaMode;
   TextureInfo baseColor, metallicRoughness, normal, occlusion, emissive, specular, specularColor;
-  TextureInfo transmission, thickness, coat, coatRoughness, coatNormal;
+  TextureInfo transmission, thickness, coat, coatRoughness, coatNormal, sheenColor, sheenRoughness, anisotropy;
 };
 
 struct Sampler {

@@ -69,6 +69,9 @@ class Builder {
     result.coatTexture = use(info.coat, false, where + ".clearcoatTexture");
     result.coatRoughnessTexture = use(info.coatRoughness, false, where + ".clearcoatRoughnessTexture");
     result.coatNormalTexture = use(info.coatNormal, false, where + ".clearcoatNormalTexture");
+    result.sheenColorTexture = use(info.sheenColor, true, where + ".sheenColorTexture");
+    result.sheenRoughnessTexture = use(info.sheenRoughness, false, where + ".sheenRoughnessTexture");
+    result.anisotropyTexture = use(info.anisotropy, false, where + ".anisotropyTexture");
     return result;
   }
 
@@ -85,6 +88,12 @@ class Builder {
     material.coatRoughness = clamped(material.coatRoughness, 0, 1, "clearcoatRoughnessFactor", where);
     material.coatNormalScale =
         clamped(material.coatNormalScale, -kLargest, kLargest, "clearcoatNormalTexture.scale", where);
+    for (int c = 0; c < 3; ++c)
+      material.sheenColor[c] = clamped(material.sheenColor[c], 0, 1, "sheenColorFactor", where);
+    material.sheenRoughness = clamped(material.sheenRoughness, 0, 1, "sheenRoughnessFactor", where);
+    material.anisotropy = clamped(material.anisotropy, 0, 1, "anisotropyStrength", where);
+    material.anisotropyRotation =
+        clamped(material.anisotropyRotation, -kLargest, kLargest, "anisotropyRotation", where);
   }
 
   TextureUse use(const TextureInfo& info, bool srgb, const std::string& where) {

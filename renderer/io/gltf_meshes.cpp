@@ -59,9 +59,11 @@ class Reader {
     readTargets();
     if (!hasNormals) makeNormals();
     if (hasTangents) return;
-    const TextureUse& mapped =
-        material.normalTexture.texture >= 0 ? material.normalTexture : material.coatNormalTexture;
-    if (mapped.texture >= 0) {
+    // Directions on the surface are those of the normal map, and of the anisotropy where there is none.
+    const TextureUse& mapped = material.normalTexture.texture >= 0       ? material.normalTexture
+                               : material.coatNormalTexture.texture >= 0 ? material.coatNormalTexture
+                                                                         : material.anisotropyTexture;
+    if (mapped.texture >= 0 || material.anisotropy > 0) {
       const auto set = static_cast<std::size_t>(mapped.uvSet);
       follow(makeTangents(vertices_, geometry_.triangles, set, mapped.transform));
     } else {

@@ -126,6 +126,21 @@ void addCoat(const tinygltf::ExtensionMap& extensions, MaterialInfo& info) {
   if (normal.IsObject()) info.material.coatNormalScale = static_cast<float>(number(normal, "scale", 1));
 }
 
+void addLobes(const tinygltf::ExtensionMap& extensions, MaterialInfo& info) {
+  Material& material = info.material;
+  if (const auto* sheen = extension(extensions, "KHR_materials_sheen")) {
+    material.sheenColor = vector(*sheen, "sheenColorFactor", material.sheenColor);
+    material.sheenRoughness = static_cast<float>(number(*sheen, "sheenRoughnessFactor", 0));
+    info.sheenColor = textureInfo(*sheen, "sheenColorTexture");
+    info.sheenRoughness = textureInfo(*sheen, "sheenRoughnessTexture");
+  }
+  if (const auto* anisotropy = extension(extensions, "KHR_materials_anisotropy")) {
+    material.anisotropy = static_cast<float>(number(*anisotropy, "anisotropyStrength", 0));
+    material.anisotropyRotation = static_cast<float>(number(*anisotropy, "anisotropyRotation", 0));
+    info.anisotropy = textureInfo(*anisotropy, "anisotropyTexture");
+  }
+}
+
 MaterialInfo convert(const tinygltf::Material& source) {
   MaterialInfo info;
   const auto& base = source.pbrMetallicRoughness;
@@ -158,6 +173,7 @@ MaterialInfo convert(const tinygltf::Material& source) {
   }
   addTransmission(source.extensions, info);
   addCoat(source.extensions, info);
+  addLobes(source.extensions, info);
   return info;
 }
 

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kTile = 8;
 
-GBuffer allocate(const gl::Api& api, int width, int height, GLenum emissive) {
+GBuffer allocate(const gl::Api& api, int width, int height, GLenum emissive, bool lobes) {
   const auto texture = [&](GLenum format, const char* label) {
     return gl::Texture(api, {GL_TEXTURE_2D, format, width, height, 1, 1}, label);
   };
@@ -25,6 +25,10 @@ GBuffer allocate(const gl::Api& api, int width, int height, GLenum emissive) {
   buffer.baseColor = texture(GL_RGBA16F, "base color");
   buffer.material = texture(GL_RGBA16F, "material");
   buffer.emissive = texture(emissive, "emissive");
+  if (lobes) {
+    buffer.sheen = texture(GL_RGBA16F, "sheen");
+    buffer.anisotropy = texture(GL_RGBA16F, "anisotropy");
+  }
   buffer.shaded = texture(GL_RGBA32F, "shaded");
   buffer.reflection = texture(GL_RGBA32F, "reflection");
   buffer.signature = gl::Buffer(api, sizeof(buffer.number), "signature");
@@ -49,9 +53,11 @@ GBufferPass::GBufferPass(const gl::Api& api)
 void GBufferPass::run(const FrameView& view, GBuffer& out, const PrimarySettings& primary) {
   const auto width = static_cast<int>(view.frame.width), height = static_cast<int>(view.frame.height);
   const GLenum emissive = view.scene.beyondHalf ? GL_RGBA32F : GL_RGBA16F;
-  if (out.width != width || out.height != height || out.emissive.shape().format != emissive) {
+  const bool lobes = view.scene.lobes;
+  if (out.width != width || out.height != height || out.emissive.shape().format != emissive ||
+      static_cast<bool>(out.sheen) != lobes) {
     out = GBuffer{};  // the old memory goes before the new comes
-    out = allocate(*api_, width, height, emissive);
+    out = allocate(*api_, width, height, emissive, lobes);
   }
   const auto section = view.profiler.section("gbuffer");
   rasterize(view, out);
@@ -132,6 +138,10 @@ void GBufferPass::resolve(const FrameView& view, GBuffer& out, const PrimarySett
   out.baseColor.bindImage(IMAGE_BASE_COLOR, GL_WRITE_ONLY);
   out.material.bindImage(IMAGE_MATERIAL, GL_WRITE_ONLY);
   out.emissive.bindImage(IMAGE_EMISSIVE, GL_WRITE_ONLY);
+  if (out.sheen) {
+    out.sheen.bindImage(IMAGE_SHEEN, GL_WRITE_ONLY);
+    out.anisotropy.bindImage(IMAGE_ANISOTROPY, GL_WRITE_ONLY);
+  }
   gl.DispatchCompute(static_cast<GLuint>((out.width + kTile - 1) / kTile),
                      static_cast<GLuint>((out.height + kTile - 1) / kTile), 1);
   // This dispatch writes the G-buffer's images; selection, shading and the layers' read-back fetch them. The signature

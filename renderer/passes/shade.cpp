@@ -1,32 +1,34 @@
 #include "passes/shade.h"
 
+#include <vector>
+
 #include "shared/passes/shade.h"
 #include "shared/passes/shadow_marks.h"
 
 namespace halfsilver {
 
-ShadePass::ShadePass(const gl::Api& api) : api_(&api), program_(gl::Program::compute(api, "passes/shade.comp")) {}
+ShadePass::ShadePass(const gl::Api& api) : api_(&api) {
+  programs_[0][0] = gl::Program::compute(api, "passes/shade.comp");
+}
 
 void ShadePass::run(const FrameView& view, const GBuffer& gbuffer) {
   const bool marked = static_cast<bool>(gbuffer.shadowMarks);
-  if (marked && !marked_) {
-    const gl::Define defines[] = {{"SHADOW_MARKS"}};
-    marked_ = gl::Program::compute(*api_, "passes/shade.comp", defines);
+  gl::Program& program = programs_[marked][view.scene.lobes];
+  if (!program) {
+    std::vector<gl::Define> defines;
+    if (marked) defines.push_back({"SHADOW_MARKS"});
+    if (view.scene.lobes) defines.push_back({"LOBES"});
+    program = gl::Program::compute(*api_, "passes/shade.comp", defines);
   }
   const auto section = view.profiler.section("shade");
   api_->ClearTexImage(gbuffer.reflection.name(), 0, GL_RGBA, GL_FLOAT, nullptr);
-  (marked ? marked_ : program_).use();
+  program.use();
   if (marked) gbuffer.shadowMarks.bind(UNIT_SHADOW_MARKS);
   view.constants.bindUniform(UBO_FRAME);
   view.scene.bindTriangles();
   view.shadows.bind();
   view.scene.sky.bind(UNIT_SKY);
-  gbuffer.position.bind(UNIT_POSITION);
-  gbuffer.normal.bind(UNIT_NORMAL);
-  gbuffer.baseColor.bind(UNIT_BASE_COLOR);
-  gbuffer.material.bind(UNIT_MATERIAL);
-  gbuffer.emissive.bind(UNIT_EMISSIVE);
-  gbuffer.visibility.bind(UNIT_VISIBILITY);
+  gbuffer.bindSurface();
   gbuffer.shaded.bindImage(IMAGE_SHADED, GL_WRITE_ONLY);
   constexpr int kGroup = 8;
   api_->DispatchCompute(static_cast<GLuint>((gbuffer.width + kGroup - 1) / kGroup),

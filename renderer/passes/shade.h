@@ -16,7 +16,7 @@ class ShadePass {
 
  private:
   const gl::Api* api_;
-  gl::Program program_, marked_;  // the second one, with marks, made on first use
+  gl::Program programs_[2][2];  // [with marks][GpuScene::lobes], all but the first made on first use
 };
 
 }  // namespace halfsilver

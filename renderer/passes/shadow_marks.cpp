@@ -40,12 +40,7 @@ void ShadowMarkPass::run(const FrameView& view, int kernel, GBuffer& gbuffer) {
   view.constants.bindUniform(UBO_FRAME);
   view.scene.bindTriangles();
   view.shadows.bind();
-  gbuffer.position.bind(UNIT_POSITION);
-  gbuffer.normal.bind(UNIT_NORMAL);
-  gbuffer.baseColor.bind(UNIT_BASE_COLOR);
-  gbuffer.material.bind(UNIT_MATERIAL);
-  gbuffer.emissive.bind(UNIT_EMISSIVE);
-  gbuffer.visibility.bind(UNIT_VISIBILITY);
+  gbuffer.bindSurface();
   gbuffer.shadowMarks.bindImage(IMAGE_SHADOW_MARKS, GL_WRITE_ONLY);
   dispatch(gbuffer.shadowMarks);
   spread(view, gbuffer.shadowMarks, scratch_, kernel / 2, false);

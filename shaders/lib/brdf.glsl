@@ -1,5 +1,7 @@
 // glTF 2.0 metallic-roughness (appendix B): GGX, height-correlated Smith, Schlick, Lambert.
 #include "lib/fresnel.glsl"
+#include "lib/ggx.glsl"
+#include "lib/lobes.glsl"
 #include "lib/surface.glsl"
 
 const float PI = 3.14159265358979;
@@ -24,6 +26,19 @@ vec3 shadeLight(Surface s, vec3 toEye, vec3 toLight) {
   float visibility = 0.5 / (nl * sqrt(nv * nv * (1.0 - a2) + a2) + nv * sqrt(nl * nl * (1.0 - a2) + a2));
   vec3 fresnel = fresnelSchlick(s.f0, vh);
 
+#ifdef LOBES
+  if (s.anisotropy > 0.0) {
+    mat3 axes = mat3(s.anisotropyDirection, cross(s.normal, s.anisotropyDirection), s.normal);
+    vec2 alphas = stretchedAlphas(alpha, s.anisotropy);
+    distribution = ggxDistribution(halfway * axes, alphas);
+    visibility = ggxMaskingShadowing(vec3((toEye * axes).xy, nv), toLight * axes, alphas) / (4.0 * nv * nl);
+  }
+#endif
   vec3 diffuse = s.baseColor * ((1.0 - s.metallic) / PI) * (1.0 - fresnel * (1.0 - roughnessFade(s.roughness)));
-  return (diffuse + fresnel * (distribution * visibility)) * nl;
+  vec3 reflected = (diffuse + fresnel * (distribution * visibility)) * nl;
+#ifdef LOBES
+  reflected *= min(belowSheen(s.sheenColor, s.sheenRoughness, nv), belowSheen(s.sheenColor, s.sheenRoughness, nl));
+  reflected += s.sheenColor * (sheenLobe(nh, nv, nl, s.sheenRoughness) * nl);
+#endif
+  return reflected;
 }

@@ -3,10 +3,15 @@
 // what single scattering between microfacets loses is given back by a factor (Turquin 2019), so that a white surface
 // in an even light is as bright as that.
 //
+// With LOBES fibers lie between the coat and the base (lib/lobes.glsl), which are scattered as the diffuse lobe is, and
+// the specular layer may be stretched; what its facets lose is that of the root mean square of
+// both roughnesses. Glass is not stretched.
+//
 // Smooth lobes are directions, not densities; those and glass are chosen, never evaluated.
 #include "lib/dielectric.glsl"
 #include "lib/fresnel.glsl"
 #include "lib/ggx.glsl"
+#include "lib/lobes.glsl"
 #include "lib/sampling.glsl"
 #include "lib/surface.glsl"
 #include "shared/passes/energy.h"
@@ -29,6 +34,9 @@ float boundaryEnergy(float cosine, float roughness, float eta) {
 struct Specular {
   vec3 f0;
   float alpha;
+#ifdef LOBES
+  vec2 alphas;
+#endif
   vec3 scale;   // what scattering between facets gives back
   vec3 albedo;  // reflected of all that arrives
 };
@@ -36,13 +44,36 @@ struct Specular {
 Specular makeSpecular(vec3 f0, float roughness, float cosine) {
   vec2 energy = energyOf(cosine, roughness, 0.0);
   vec3 scale = 1.0 + f0 * (1.0 / max(energy.x + energy.y, 1e-3) - 1.0);
-  return Specular(f0, roughness * roughness, scale, min(scale * (f0 * energy.x + energy.y), vec3(1.0)));
+  vec3 albedo = min(scale * (f0 * energy.x + energy.y), vec3(1.0));
+#ifdef LOBES
+  return Specular(f0, roughness * roughness, vec2(roughness * roughness), scale, albedo);
+#else
+  return Specular(f0, roughness * roughness, scale, albedo);
+#endif
+}
+
+// A lobe's part in the names below: both axes of one that may be stretched.
+#ifdef LOBES
+#define ALPHA(specular) specular.alphas
+#define ALONG(direction) direction
+#else
+#define ALPHA(specular) specular.alpha
+#define ALONG(direction) direction.z
+#endif
+
+bool smoothSpecular(Specular specular) {
+#ifdef LOBES
+  return smoothLobe(max(specular.alphas.x, specular.alphas.y));
+#else
+  return smoothLobe(specular.alpha);
+#endif
 }
 
 // Reflected radiance per irradiance, times the cosine; z of both is positive.
 vec3 specularTimesCosine(Specular specular, vec3 v, vec3 l) {
   vec3 h = normalize(v + l);
-  float d = ggxDistribution(h.z, specular.alpha), g = ggxMaskingShadowing(v.z, l.z, specular.alpha);
+  float d = ggxDistribution(ALONG(h), ALPHA(specular));
+  float g = ggxMaskingShadowing(ALONG(v), ALONG(l), ALPHA(specular));
   return specular.scale * fresnelSchlick(specular.f0, dot(v, h)) * (d * g / (4.0 * v.z));
 }
 
@@ -55,6 +86,11 @@ struct Bsdf {
   vec3 diffuse;      // albedo
   float glassShare;  // of what is below the coat
   vec3 tint;         // of what passes through glass
+#ifdef LOBES
+  vec3 sheen;  // color, where the coat lets it through
+  float sheenRoughness;
+  float belowSheen;  // what the fibers leave
+#endif
   // How often each is chosen.
   float chooseCoat, chooseSpecular, chooseDiffuse, chooseGlass;
 };
@@ -69,12 +105,30 @@ Bsdf makeBsdf(Surface s, vec3 toEye) {
   b.coat = makeSpecular(vec3(COAT_F0), s.coatRoughness, b.coatV.z);
   b.specular = makeSpecular(s.f0, s.roughness, b.v.z);
   float below = 1.0 - s.coat * b.coat.albedo.x;
+#ifdef LOBES
+  if (s.anisotropy > 0.0) {
+    vec2 alphas = stretchedAlphas(max(s.roughness * s.roughness, 1e-3), s.anisotropy);
+    b.x = s.anisotropyDirection;
+    b.y = cross(s.normal, b.x);
+    b.v.xy = vec2(dot(toEye, b.x), dot(toEye, b.y));
+    b.specular = makeSpecular(s.f0, pow(0.5 * dot(alphas, alphas), 0.25), b.v.z);
+    b.specular.alpha = s.roughness * s.roughness;
+    b.specular.alphas = alphas;
+  }
+  b.sheen = below * s.sheenColor;
+  b.sheenRoughness = s.sheenRoughness;
+  b.belowSheen = belowSheen(s.sheenColor, s.sheenRoughness, b.v.z);
+  below *= b.belowSheen;
+#endif
   b.glassShare = s.transmission * (1.0 - s.metallic);
   b.diffuse = below * (1.0 - s.metallic) * (1.0 - s.transmission) * s.baseColor * (1.0 - b.specular.albedo);
   b.tint = s.baseColor;
   b.chooseCoat = s.coat * b.coat.albedo.x;
   b.chooseSpecular = below * (1.0 - b.glassShare) * max(luminance(b.specular.albedo), 1e-3);
   b.chooseDiffuse = luminance(b.diffuse);
+#ifdef LOBES
+  b.chooseDiffuse += luminance(b.sheen) * sheenAlbedo(b.v.z, s.sheenRoughness);
+#endif
   b.chooseGlass = below * b.glassShare;
   float all = b.chooseCoat + b.chooseSpecular + b.chooseDiffuse + b.chooseGlass;
   b.chooseCoat /= all;
@@ -84,7 +138,13 @@ Bsdf makeBsdf(Surface s, vec3 toEye) {
   return b;
 }
 
-float belowCoat(Bsdf b) { return 1.0 - b.coatShare * b.coat.albedo.x; }
+float belowCoat(Bsdf b) {
+  float below = 1.0 - b.coatShare * b.coat.albedo.x;
+#ifdef LOBES
+  below *= b.belowSheen;
+#endif
+  return below;
+}
 vec3 intoCoat(Bsdf b, Surface s, vec3 l) { return vec3(dot(l, b.coatX), dot(l, b.coatY), dot(l, s.coatNormal)); }
 vec3 intoBase(Bsdf b, Surface s, vec3 l) { return vec3(dot(l, b.x), dot(l, b.y), dot(l, s.normal)); }
 
@@ -94,16 +154,19 @@ vec3 evaluateBsdf(Bsdf b, Surface s, vec3 toLight, out float density) {
   vec3 value = vec3(0.0);
   if (dot(toLight, s.geometricNormal) <= 0.0) return value;
   vec3 l = intoBase(b, s, toLight), c = intoCoat(b, s, toLight);
-  if (c.z > 0.0 && b.coatShare > 0.0 && !smoothLobe(b.coat.alpha)) {
+  if (c.z > 0.0 && b.coatShare > 0.0 && !smoothSpecular(b.coat)) {
     value += b.coatShare * specularTimesCosine(b.coat, b.coatV, c);
-    density += b.chooseCoat * ggxReflectedDensity(b.coatV.z, normalize(b.coatV + c).z, b.coat.alpha);
+    density += b.chooseCoat * ggxReflectedDensity(ALONG(b.coatV), ALONG(normalize(b.coatV + c)), ALPHA(b.coat));
   }
   if (l.z <= 0.0) return value;
   value += b.diffuse * (l.z / 3.14159265358979);
   density += b.chooseDiffuse * l.z / 3.14159265358979;
-  if (!smoothLobe(b.specular.alpha)) {
+#ifdef LOBES
+  value += b.sheen * (sheenLobe(normalize(b.v + l).z, b.v.z, l.z, b.sheenRoughness) * l.z);
+#endif
+  if (!smoothSpecular(b.specular)) {
     value += belowCoat(b) * (1.0 - b.glassShare) * specularTimesCosine(b.specular, b.v, l);
-    density += b.chooseSpecular * ggxReflectedDensity(b.v.z, normalize(b.v + l).z, b.specular.alpha);
+    density += b.chooseSpecular * ggxReflectedDensity(ALONG(b.v), ALONG(normalize(b.v + l)), ALPHA(b.specular));
   }
   return value;
 }
@@ -151,11 +214,17 @@ Scattering scatter(Bsdf b, Surface s, float eta, vec2 numbers, vec2 choices) {
   } else {
     vec3 v = ofCoat ? b.coatV : b.v, n = ofCoat ? s.coatNormal : s.normal;
     vec3 x = ofCoat ? b.coatX : b.x, y = ofCoat ? b.coatY : b.y;
+#ifdef LOBES
+    vec2 alpha = ofCoat ? b.coat.alphas : b.specular.alphas;
+    bool smoothly = smoothLobe(max(alpha.x, alpha.y));
+#else
     float alpha = ofCoat ? b.coat.alpha : b.specular.alpha;
-    vec3 h = smoothLobe(alpha) ? vec3(0.0, 0.0, 1.0) : ggxVisibleNormal(v, alpha, numbers);
+    bool smoothly = smoothLobe(alpha);
+#endif
+    vec3 h = smoothly ? vec3(0.0, 0.0, 1.0) : ggxVisibleNormal(v, alpha, numbers);
     vec3 l = 2.0 * dot(v, h) * h - v;
     direction = normalize(l.x * x + l.y * y + l.z * n);
-    if (smoothLobe(alpha)) {
+    if (smoothly) {
       vec3 weight = ofCoat ? b.coatShare * fresnelSchlick(b.coat.f0, v.z) / b.chooseCoat
                            : belowCoat(b) * (1.0 - b.glassShare) * fresnelSchlick(b.specular.f0, v.z) / b.chooseSpecular;
       // An interpolated normal may mirror to below the triangle.

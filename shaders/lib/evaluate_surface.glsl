@@ -40,7 +40,11 @@ vec3 mappedNormal(vec3 normal, vec3 tangent, float bitangentSign, vec3 texel, fl
 
 // Which textures are read, bits of MATERIAL_TEXTURES_SHIFT: those of transmission and coat cost time even if nobody
 // looks at what they say.
+#ifdef LOBES
+const uint BASE_TEXTURES = (1u << TEXTURE_TRANSMISSION) - 1u | 7u << TEXTURE_SHEEN_COLOR;
+#else
 const uint BASE_TEXTURES = (1u << TEXTURE_TRANSMISSION) - 1u;
+#endif
 const uint ALL_TEXTURES = (1u << TEXTURE_USES) - 1u;
 
 // direction: unit, travelling towards the surface. coneWidth: diameter of the ray's cone at the surface, meters.
@@ -95,6 +99,10 @@ Surface evaluateSurface(uint triangle, vec2 barycentrics, vec3 direction, float 
   float occlusion = 1.0, specular = 1.0, transmission = 1.0, thickness = 1.0, coat = 1.0, coatRoughness = 1.0;
   float alpha = 1.0;
   vec3 coatMapped = vec3(1.0);
+#ifdef LOBES
+  vec3 sheenColor = vec3(1.0), stretched = vec3(1.0, 0.5, 1.0);
+  float sheenRoughness = 1.0;
+#endif
   // Only the textures that there are, in a loop that cannot be unrolled: the sampling code is large, and software
   // rasterizers execute both sides of every branch.
   uint present = (flags >> MATERIAL_TEXTURES_SHIFT) & textures;
@@ -118,6 +126,11 @@ Surface evaluateSurface(uint triangle, vec2 barycentrics, vec3 direction, float 
       case TEXTURE_THICKNESS: thickness = texel.g; break;
       case TEXTURE_CLEARCOAT: coat = texel.r; break;
       case TEXTURE_CLEARCOAT_ROUGHNESS: coatRoughness = texel.g; break;
+#ifdef LOBES
+      case TEXTURE_SHEEN_COLOR: sheenColor = texel.rgb; break;
+      case TEXTURE_SHEEN_ROUGHNESS: sheenRoughness = texel.a; break;
+      case TEXTURE_ANISOTROPY: stretched = texel.rgb; break;
+#endif
       default: coatMapped = texel.xyz; break;
     }
   }
@@ -158,5 +171,19 @@ Surface evaluateSurface(uint triangle, vec2 barycentrics, vec3 direction, float 
   if ((present & (1u << TEXTURE_CLEARCOAT_NORMAL)) != 0u)
     coatNormal = mappedNormal(coatNormal, tangent, bitangentSign, coatMapped, materials[m].coatNormalScale);
   s.coatNormal = faceViewer(side * coatNormal, direction);
+#ifdef LOBES
+  s.sheenColor = materials[m].sheenColor * sheenColor;
+  s.sheenRoughness = clamp(materials[m].sheenRoughness * sheenRoughness, 0.0, 1.0);
+  s.anisotropy = materials[m].anisotropy * stretched.b;
+  vec2 along = 2.0 * stretched.rg - 1.0, turn = vec2(materials[m].anisotropyX, materials[m].anisotropyY);
+  along = vec2(along.x * turn.x - along.y * turn.y, along.x * turn.y + along.y * turn.x);
+  vec3 sideways = cross(normal, tangent) * (bitangentSign < 0.0 ? -1.0 : 1.0);
+  vec3 stretch = along.x * tangent + along.y * sideways;
+  stretch -= dot(stretch, s.normal) * s.normal;
+  if (dot(stretch, stretch) > 1e-12)
+    s.anisotropyDirection = normalize(stretch);
+  else
+    s.anisotropy = 0.0;  // a direction that is none
+#endif
   return s;
 }

@@ -6,6 +6,10 @@ layout(binding = UNIT_NORMAL) uniform sampler2D gNormal;
 layout(binding = UNIT_BASE_COLOR) uniform sampler2D gBaseColor;
 layout(binding = UNIT_MATERIAL) uniform sampler2D gMaterial;
 layout(binding = UNIT_EMISSIVE) uniform sampler2D gEmissive;
+#ifdef LOBES
+layout(binding = UNIT_SHEEN) uniform sampler2D gSheen;
+layout(binding = UNIT_ANISOTROPY) uniform sampler2D gAnisotropy;
+#endif
 layout(binding = UNIT_VISIBILITY) uniform usampler2D gVisibility;
 
 // Of gNormal: whether the pixel's ray goes on behind its surface, and the surface's alpha.

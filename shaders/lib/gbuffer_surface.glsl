@@ -26,5 +26,12 @@ Surface surfaceOfPixel(ivec2 pixel, vec3 position) {
   s.reflectivity = max(normal.w, 0.0);
   s.unlit = material.a < 0.0;
   leaveOutLayers(s);
+#ifdef LOBES
+  vec4 sheen = texelFetch(gSheen, pixel, 0), anisotropy = texelFetch(gAnisotropy, pixel, 0);
+  s.sheenColor = sheen.rgb;
+  s.sheenRoughness = sheen.a;
+  s.anisotropyDirection = anisotropy.xyz;
+  s.anisotropy = anisotropy.w;
+#endif
   return s;
 }

@@ -35,6 +35,30 @@ vec3 ggxVisibleNormal(vec3 v, float alpha, vec2 numbers) {
   return normalize(vec3(alpha * n.xy, max(n.z, 1e-6)));
 }
 
+#ifdef LOBES
+// The same of two roughnesses, along x and y.
+float ggxDistribution(vec3 h, vec2 alphas) {
+  vec3 scaled = vec3(h.xy / alphas, h.z);
+  float d = dot(scaled, scaled);
+  return 1.0 / (3.14159265358979 * alphas.x * alphas.y * d * d);
+}
+
+float ggxMasking(vec3 v, vec2 alphas) { return 2.0 * v.z / (v.z + length(vec3(alphas * v.xy, v.z))); }
+
+float ggxMaskingShadowing(vec3 v, vec3 l, vec2 alphas) {
+  return 2.0 * v.z * l.z / (v.z * length(vec3(alphas * l.xy, l.z)) + l.z * length(vec3(alphas * v.xy, v.z)));
+}
+
+vec3 ggxVisibleNormal(vec3 v, vec2 alphas, vec2 numbers) {
+  vec3 n = ggxVisibleNormal(normalize(vec3(alphas * v.xy, v.z)), 1.0, numbers);
+  return normalize(vec3(alphas * n.xy, max(n.z, 1e-6)));
+}
+
+float ggxReflectedDensity(vec3 v, vec3 h, vec2 alphas) {
+  return ggxMasking(v, alphas) * ggxDistribution(h, alphas) / (4.0 * v.z);
+}
+#endif
+
 // Density of directions that are v mirrored at such normals.
 float ggxReflectedDensity(float vz, float hz, float alpha) {
   return ggxMasking(vz, alpha) * ggxDistribution(hz, alpha) / (4.0 * vz);

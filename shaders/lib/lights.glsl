@@ -155,6 +155,11 @@ vec4 ambientLighting(Surface s, vec3 toEye) {
   vec3 diffuse = s.baseColor * (1.0 - s.metallic) * (1.0 - reflected) * (sky.irradiance + bounce);
   // Where the sky is hidden a rough surface reflects the bounced light instead (the blend adds the visible sky).
   vec3 specular = reflected * bounce * (1.0 - sky.visibility);
+#ifdef LOBES
+  vec3 fibers = s.sheenColor * sheenAlbedo(max(nv, 0.0), s.sheenRoughness) * (sky.irradiance + bounce);
+  diffuse = diffuse * belowSheen(s.sheenColor, s.sheenRoughness, max(nv, 0.0)) + fibers;
+  specular *= belowSheen(s.sheenColor, s.sheenRoughness, max(nv, 0.0));
+#endif
   return vec4((diffuse + specular) * (s.occlusion / PI), sky.visibility);
 }
 

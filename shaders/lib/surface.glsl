@@ -24,7 +24,22 @@ struct Surface {
   float coat;  // share of the surface that has it, 0..1
   float coatRoughness;
   vec3 coatNormal;  // faces the viewer
+#ifdef LOBES
+  vec3 sheenColor;           // of the fibers below the coat
+  float sheenRoughness;
+  vec3 anisotropyDirection;  // along which the highlight is long: unit, in the plane of `normal`
+  float anisotropy;          // 0..1
+#endif
 };
+
+#ifdef LOBES
+void leaveOutLobes(inout Surface s) {
+  s.sheenColor = vec3(0.0);
+  s.sheenRoughness = 1.0;
+  s.anisotropyDirection = vec3(0.0);
+  s.anisotropy = 0.0;
+}
+#endif
 
 // For a surface whose transmission, coat and alpha nobody asks for.
 void leaveOutLayers(inout Surface s) {
@@ -38,6 +53,9 @@ void leaveOutLayers(inout Surface s) {
   s.coat = 0.0;
   s.coatRoughness = 0.0;
   s.coatNormal = s.normal;
+#ifdef LOBES
+  leaveOutLobes(s);
+#endif
 }
 
 float luminance(vec3 color) { return dot(color, vec3(0.2126, 0.7152, 0.0722)); }

@@ -16,6 +16,10 @@ layout(rgba32f, binding = IMAGE_NORMAL) uniform writeonly image2D normalImage;
 layout(rgba16f, binding = IMAGE_BASE_COLOR) uniform writeonly image2D baseColorImage;
 layout(rgba16f, binding = IMAGE_MATERIAL) uniform writeonly image2D materialImage;
 layout(binding = IMAGE_EMISSIVE) uniform writeonly image2D emissiveImage;
+#ifdef LOBES
+layout(rgba16f, binding = IMAGE_SHEEN) uniform writeonly image2D sheenImage;
+layout(rgba16f, binding = IMAGE_ANISOTROPY) uniform writeonly image2D anisotropyImage;
+#endif
 
 // Proves to the host that the device has run this frame.
 layout(std430, binding = SSBO_SIGNATURE) writeonly buffer SignatureBlock { uint signature; };
@@ -44,6 +48,10 @@ void main() {
     baseColor = vec4(s.baseColor, s.occlusion);
     material = vec4(s.f0, s.unlit ? -1.0 : s.roughness);
     emissive = vec4(s.emissive, s.metallic);
+#ifdef LOBES
+    imageStore(sheenImage, pixel, vec4(s.sheenColor, s.sheenRoughness));
+    imageStore(anisotropyImage, pixel, vec4(s.anisotropyDirection, s.anisotropy));
+#endif
   }
   imageStore(positionImage, pixel, position);
   imageStore(normalImage, pixel, normal);

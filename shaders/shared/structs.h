@@ -16,7 +16,9 @@
 #define MATERIAL_TRANSMISSIVE 32u
 #define MATERIAL_THIN 64u  // transmissive, a wall without an inside
 #define MATERIAL_COATED 128u
-#define MATERIAL_TEXTURES_SHIFT 8  // from this bit on: which of the textures exist
+#define MATERIAL_SHEEN 256u
+#define MATERIAL_ANISOTROPIC 512u
+#define MATERIAL_TEXTURES_SHIFT 10  // from this bit on: which of the textures exist
 
 // GpuTexture::sampling: bits 0..1 wrap u, 2..3 wrap v (0 repeat, 1 mirror, 2 clamp), 4 nearest magnification,
 // 5 nearest minification, 6 no mipmaps, 7 uv set.
@@ -51,25 +53,20 @@ struct GpuMaterial {
   float alphaCutoff;
   vec3 specularColor;
   float specularFactor;
-  float metallic;
-  float roughness;
-  float normalScale;
-  float occlusionStrength;
-  float dielectricF0;
-  float mirror;
+  float metallic, roughness, normalScale, occlusionStrength;
+  float dielectricF0, mirror;
   uint flags;
   float ior;
   uint alphaFirst;  // MATERIAL_CUT: the base color texture's first alpha of all, and its size
-  uint alphaWidth;
-  uint alphaHeight;
+  uint alphaWidth, alphaHeight;
   float transmission;
   vec3 absorption;  // per meter inside
   float dispersion;
-  float thickness;
-  float coat;
-  float coatRoughness;
-  float coatNormalScale;
-  GpuTexture textures[12];  // TEXTURE_BASE_COLOR ...
+  float thickness, coat, coatRoughness, coatNormalScale;
+  vec3 sheenColor;
+  float sheenRoughness;
+  float anisotropy, anisotropyX, anisotropyY, padding;  // strength, direction in the tangent plane
+  GpuTexture textures[15];  // TEXTURE_BASE_COLOR ...
 };
 #define TEXTURE_BASE_COLOR 0
 #define TEXTURE_METALLIC_ROUGHNESS 1
@@ -83,7 +80,10 @@ struct GpuMaterial {
 #define TEXTURE_CLEARCOAT 9
 #define TEXTURE_CLEARCOAT_ROUGHNESS 10
 #define TEXTURE_CLEARCOAT_NORMAL 11
-#define TEXTURE_USES 12
+#define TEXTURE_SHEEN_COLOR 12
+#define TEXTURE_SHEEN_ROUGHNESS 13
+#define TEXTURE_ANISOTROPY 14
+#define TEXTURE_USES 15
 
 // Lights lie in three ranges, each of one kind: direct ones (LIGHT_...), then directions that stand for a part of the
 // sky each, with shadows, then halves of the sphere, evenly bright around their direction, without; of these all but

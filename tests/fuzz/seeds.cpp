@@ -49,6 +49,8 @@ GltfFile everyExtension() {
       {"KHR_materials_transmission", {{"transmissionFactor", 0.5}, {"transmissionTexture", texture}}},
       {"KHR_materials_volume", {{"thicknessFactor", 0.1}, {"attenuationColor", {1, 0.5, 0}}}},
       {"KHR_materials_dispersion", {{"dispersion", 0.1}}},
+      {"KHR_materials_sheen", {{"sheenColorFactor", {1, 0.5, 0}}, {"sheenColorTexture", texture}}},
+      {"KHR_materials_anisotropy", {{"anisotropyStrength", 0.5}, {"anisotropyTexture", texture}}},
       {"KHR_materials_clearcoat", {{"clearcoatFactor", 1}, {"clearcoatNormalTexture", texture}}}};
   json& primitive = file.root["meshes"][0]["primitives"][0];
   primitive["extensions"]["KHR_materials_variants"]["mappings"] = {{{"material", 0}, {"variants", {0}}}};

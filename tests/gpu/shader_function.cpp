@@ -7,11 +7,11 @@
 namespace halfsilver::testing {
 
 ShaderFunction::ShaderFunction(const gl::Api& api, std::string_view file, std::string_view body, int inputStride,
-                               int outputStride)
+                               int outputStride, std::span<const gl::Define> defines)
     : api_(&api),
       inputStride_(static_cast<std::size_t>(inputStride)),
       outputStride_(static_cast<std::size_t>(outputStride)) {
-  const std::string source = gl::assembleShader(file, {}).text +
+  const std::string source = gl::assembleShader(file, defines).text +
                              "layout(local_size_x = 64) in;\n"
                              "layout(std430, binding = " +
                              std::to_string(SSBO_RAYS) +

@@ -10,6 +10,7 @@
 #include <halfsilver/gl/buffer.h>
 #include <halfsilver/products.h>
 #include <halfsilver/scene.h>
+#include "gl/shader_source.h"
 
 namespace halfsilver::testing {
 
@@ -18,7 +19,8 @@ namespace halfsilver::testing {
 class ShaderFunction {
  public:
   // `body` are the statements for one item; throws std::runtime_error with the compiler's message.
-  ShaderFunction(const gl::Api& api, std::string_view file, std::string_view body, int inputStride, int outputStride);
+  ShaderFunction(const gl::Api& api, std::string_view file, std::string_view body, int inputStride, int outputStride,
+                 std::span<const gl::Define> defines = {});
   ~ShaderFunction();
   ShaderFunction(const ShaderFunction&) = delete;
   ShaderFunction& operator=(const ShaderFunction&) = delete;

@@ -109,6 +109,47 @@ TEST(GltfMaterial, Clearcoat) {
   EXPECT_FALSE(warns(model, "extension"));
 }
 
+TEST(GltfMaterial, SheenAndAnisotropy) {
+  const json info = {{"index", 0}, {"texCoord", 1}};
+  GltfFile file =
+      textured({{"extensions",
+                 {{"KHR_materials_sheen",
+                   {{"sheenColorFactor", {0.25, 0.5, 1}},
+                    {"sheenRoughnessFactor", 0.75},
+                    {"sheenColorTexture", info},
+                    {"sheenRoughnessTexture", info}}},
+                  {"KHR_materials_anisotropy",
+                   {{"anisotropyStrength", 0.5}, {"anisotropyRotation", 1.25}, {"anisotropyTexture", info}}}}}});
+  file.root["extensionsRequired"] = {"KHR_materials_sheen", "KHR_materials_anisotropy"};
+  file.root["extensionsUsed"] = file.root["extensionsRequired"];
+  const Model model = load(file);
+  const Material& material = model.scene.materials.at(0);
+  EXPECT_EQ(material.sheenColor, glm::vec3(0.25f, 0.5f, 1));
+  EXPECT_EQ(material.sheenRoughness, 0.75f);
+  EXPECT_EQ(material.anisotropy, 0.5f);
+  EXPECT_EQ(material.anisotropyRotation, 1.25f);
+  for (const TextureUse* use :
+       {&material.sheenColorTexture, &material.sheenRoughnessTexture, &material.anisotropyTexture}) {
+    EXPECT_GE(use->texture, 0);
+    EXPECT_EQ(use->uvSet, 1);
+  }
+  EXPECT_TRUE(model.scene.textures.at(static_cast<std::size_t>(material.sheenColorTexture.texture))->srgb);
+  EXPECT_FALSE(model.scene.textures.at(static_cast<std::size_t>(material.anisotropyTexture.texture))->srgb);
+  EXPECT_FALSE(warns(model, "extension"));
+  EXPECT_FALSE(warns(model, "KHR_"));
+}
+
+// The square's u grows along x: that is its direction, whatever the texture coordinates' turn says elsewhere.
+TEST(GltfMaterial, AnisotropyTakesItsDirectionFromTextureCoordinates) {
+  GltfFile file = square();
+  file.add("materials", {{"extensions", {{"KHR_materials_anisotropy", {{"anisotropyStrength", 0.5}}}}}});
+  const Model model = load(file);
+  for (const Vertex& vertex : model.scene.vertices) {
+    EXPECT_NEAR(vertex.tangent.x, 1, 1e-6f);
+    EXPECT_EQ(vertex.tangent.w, 1);
+  }
+}
+
 TEST(GltfMaterial, LayersThatAreNotNamedAreNotThere) {
   GltfFile file = square();
   file.add("materials", {{"name", "plain"}});
@@ -116,6 +157,8 @@ TEST(GltfMaterial, LayersThatAreNotNamedAreNotThere) {
                           {{"KHR_materials_transmission", json::object()},
                            {"KHR_materials_volume", json::object()},
                            {"KHR_materials_dispersion", json::object()},
+                           {"KHR_materials_sheen", json::object()},
+                           {"KHR_materials_anisotropy", json::object()},
                            {"KHR_materials_clearcoat", json::object()}}}});
   for (const Material& material : load(file).scene.materials) {
     EXPECT_EQ(material.transmission, 0);
@@ -126,6 +169,8 @@ TEST(GltfMaterial, LayersThatAreNotNamedAreNotThere) {
     EXPECT_EQ(material.coat, 0);
     EXPECT_EQ(material.coatRoughness, 0);
     EXPECT_EQ(material.coatNormalTexture.texture, -1);
+    EXPECT_EQ(material.sheenColor, glm::vec3(0));
+    EXPECT_EQ(material.anisotropy, 0);
   }
 }
 
@@ -137,6 +182,8 @@ TEST(GltfMaterial, LayersBeyondTheirRangeAreClampedAndNamed) {
               {"KHR_materials_volume",
                {{"thicknessFactor", -1}, {"attenuationDistance", 0}, {"attenuationColor", {0.5, -1, 2}}}},
               {"KHR_materials_dispersion", {{"dispersion", -0.1}}},
+              {"KHR_materials_sheen", {{"sheenColorFactor", {2, 0, -1}}, {"sheenRoughnessFactor", 1.5}}},
+              {"KHR_materials_anisotropy", {{"anisotropyStrength", 4}, {"anisotropyRotation", 1e30}}},
               {"KHR_materials_clearcoat", {{"clearcoatFactor", -0.5}, {"clearcoatRoughnessFactor", 3}}}}}});
   const Model model = load(file);
   const Material& material = model.scene.materials.at(0);
@@ -147,8 +194,12 @@ TEST(GltfMaterial, LayersBeyondTheirRangeAreClampedAndNamed) {
   EXPECT_EQ(material.dispersion, 0);
   EXPECT_EQ(material.coat, 0);
   EXPECT_EQ(material.coatRoughness, 1);
+  EXPECT_EQ(material.sheenColor, glm::vec3(1, 0, 0));
+  EXPECT_EQ(material.sheenRoughness, 1);
+  EXPECT_EQ(material.anisotropy, 1);
   for (const char* field : {"transmissionFactor", "thicknessFactor", "attenuationDistance", "attenuationColor",
-                            "dispersion", "clearcoatFactor", "clearcoatRoughnessFactor"})
+                            "dispersion", "clearcoatFactor", "clearcoatRoughnessFactor", "sheenColorFactor",
+                            "sheenRoughnessFactor", "anisotropyStrength", "anisotropyRotation"})
     EXPECT_TRUE(warns(model, std::string(field) + " is out of range and was clamped: materials[0]")) << field;
 }
 

@@ -88,10 +88,11 @@ void LightRays::lightPixels(const FrameView& view, std::span<const Light> lights
   if (lights.empty()) return;
   const GBuffer& gbuffer = view.gbuffer;
   const bool marked = static_cast<bool>(gbuffer.shadowMarks);
-  gl::Program& fromPixels = fromPixels_[marked];
+  gl::Program& fromPixels = fromPixels_[marked][view.scene.lobes];
   if (!fromPixels) {
     std::vector<gl::Define> defines;
     if (marked) defines.push_back({"SHADOW_MARKS"});
+    if (view.scene.lobes) defines.push_back({"LOBES"});
     fromPixels = gl::Program::compute(*api_, "effects/light_rays/from_pixels.comp", defines);
   }
   if (!add_) add_ = gl::Program::compute(*api_, "effects/light_rays/add.comp");
@@ -113,12 +114,7 @@ void LightRays::lightPixels(const FrameView& view, std::span<const Light> lights
                 follow(view, trace, frame.sums, band.firstPixel, capacity, frame, [&] {
                   begin(fromPixels, view, {first, count, ray}, capacity, frame);
                   if (marked) gbuffer.shadowMarks.bind(UNIT_SHADOW_MARKS);
-                  gbuffer.position.bind(UNIT_POSITION);
-                  gbuffer.normal.bind(UNIT_NORMAL);
-                  gbuffer.baseColor.bind(UNIT_BASE_COLOR);
-                  gbuffer.material.bind(UNIT_MATERIAL);
-                  gbuffer.emissive.bind(UNIT_EMISSIVE);
-                  gbuffer.visibility.bind(UNIT_VISIBILITY);
+                  gbuffer.bindSurface();
                   overBand(fromPixels);
                 });
               });

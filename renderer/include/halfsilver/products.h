@@ -39,6 +39,7 @@ struct GpuScene {
   std::vector<shared::GpuMaterial> cutMaterials;  // those with holes
   std::uint32_t layeredMaterials = 0;             // that transmit or have a coat
   std::uint32_t blendingMaterials = 0;            // of AlphaMode::blend that are not opaque everywhere
+  bool lobes = false;                             // a material has sheen or is anisotropic
   bool beyondHalf = false;                        // a material shines brighter than a half float can tell
   std::uint32_t casters = 0;  // counts changes of what casts shadows but for moves: of the draw list and of holes
   std::vector<gl::Texture> textures;  // buckets of equal size, at most TEXTURE_BUCKETS
@@ -102,6 +103,8 @@ struct GBuffer {
   gl::Texture baseColor;   // RGBA16F: rgb, a occlusion
   gl::Texture material;    // RGBA16F: f0 rgb, roughness; -1 for unlit
   gl::Texture emissive;    // RGBA16F, RGBA32F if a material is brighter than halves can be: rgb, a metallic
+  gl::Texture sheen;       // RGBA16F: color, roughness; this and the next only with GpuScene::lobes
+  gl::Texture anisotropy;  // RGBA16F: direction, unit, in the plane of the normal; strength
   gl::Texture shaded;      // RGBA32F: deferred radiance, a sky visibility
   gl::Texture reflection;  // RGBA32F: radiance of the traced rays, a 1 if traced
   gl::Texture motion;      // RG32F: pixels since the frame before, right and up; only if image.motion asks for it
@@ -116,6 +119,8 @@ struct GBuffer {
   gl::Buffer signature;
   std::uint32_t number = 0;
   std::size_t bytes() const;
+  // What deferred shading reads, UNIT_POSITION to UNIT_VISIBILITY, and UNIT_SHEEN and UNIT_ANISOTROPY if there are.
+  void bindSurface() const;
 };
 
 // A picture of several samples per pixel, or of several passes of an effect: a plain sum, in the order of the frames.

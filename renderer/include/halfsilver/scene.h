@@ -34,8 +34,7 @@ struct Triangle {
 // 8-bit RGBA texels, rows from the top (v = 0 is the top row, as in glTF).
 struct Texture {
   std::string name;
-  int width = 0;
-  int height = 0;
+  int width = 0, height = 0;
   bool srgb = false;  // RGB are sRGB-encoded (base color, emissive); alpha is always linear
   std::vector<std::uint8_t> texels;
 };
@@ -49,10 +48,8 @@ struct TextureUse {
   int uvSet = 0;  // 0 or 1
   // KHR_texture_transform: uv' = (row0 . (u, v, 1), row1 . (u, v, 1)).
   std::array<glm::vec3, 2> transform{glm::vec3(1, 0, 0), glm::vec3(0, 1, 0)};
-  Wrap wrapU = Wrap::repeat;
-  Wrap wrapV = Wrap::repeat;
-  Filter magnify = Filter::linear;
-  Filter minify = Filter::linear;
+  Wrap wrapU = Wrap::repeat, wrapV = Wrap::repeat;
+  Filter magnify = Filter::linear, minify = Filter::linear;
   bool mipmaps = true;
 };
 
@@ -64,7 +61,7 @@ enum class AlphaMode {
 };
 
 // glTF metallic-roughness with KHR_materials_ior, _specular, _emissive_strength, _unlit, _transmission, _volume,
-// _dispersion and _clearcoat.
+// _dispersion, _clearcoat, _sheen and _anisotropy.
 struct Material {
   std::string name;
   glm::vec4 baseColor{1};
@@ -91,22 +88,27 @@ struct Material {
   float coat = 0;        // share of the surface under the clear coat, 0..1; the coat's index of refraction is 1.5
   float coatRoughness = 0;
   float coatNormalScale = 1;
+  glm::vec3 sheenColor{0};                       // of fibers over it all but the coat; 0: there are none
+  float sheenRoughness = 0;                      // less than 0.2 is taken as that
+  float anisotropy = 0, anisotropyRotation = 0;  // of highlights: 0..1; radians from the tangent to where they are long
   // Reflectance at normal incidence, 0..1, in place of the material's own; also makes roughness 0 and drops the normal
-  // map, coat and transmission. See --mirror.
+  // map, coat, transmission, sheen and anisotropy. See --mirror.
   std::optional<float> mirror;
 
   TextureUse baseColorTexture;          // sRGB
   TextureUse metallicRoughnessTexture;  // g roughness, b metallic
   TextureUse normalTexture;
-  TextureUse occlusionTexture;      // r
-  TextureUse emissiveTexture;       // sRGB
-  TextureUse specularTexture;       // a
-  TextureUse specularColorTexture;  // sRGB
-  TextureUse transmissionTexture;   // r
-  TextureUse thicknessTexture;      // g
-  TextureUse coatTexture;           // r
-  TextureUse coatRoughnessTexture;  // g
-  TextureUse coatNormalTexture;     // the coat has the plain normal without it, whatever normalTexture says
+  TextureUse occlusionTexture;                          // r
+  TextureUse emissiveTexture;                           // sRGB
+  TextureUse specularTexture;                           // a
+  TextureUse specularColorTexture;                      // sRGB
+  TextureUse transmissionTexture;                       // r
+  TextureUse thicknessTexture;                          // g
+  TextureUse coatTexture;                               // r
+  TextureUse coatRoughnessTexture;                      // g
+  TextureUse sheenColorTexture, sheenRoughnessTexture;  // sRGB; a
+  TextureUse anisotropyTexture;                         // rg: direction in -1..1, which the rotation turns; b: strength
+  TextureUse coatNormalTexture;  // the coat has the plain normal without it, whatever normalTexture says
 };
 
 // Whether triangles show their backs even if scene.cull_back_faces leaves out others: those of double-sided materials
@@ -139,8 +141,7 @@ struct Sky {
   glm::vec3 ground{0.30f, 0.28f, 0.26f};
   float intensity = 1;  // multiplies gradient and image alike
   // Linear RGB, three floats per texel, rows from the top (up); u = 0.5 + atan2(x, -z) / 2 pi; empty: the gradient.
-  int imageWidth = 0;
-  int imageHeight = 0;
+  int imageWidth = 0, imageHeight = 0;
   std::vector<float> image;
 };
 

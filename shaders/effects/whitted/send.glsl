@@ -59,6 +59,9 @@ void sendToLights(Meeting m, vec3 base, float coat) {
   film.f0 = vec3(0.04);
   film.metallic = 0.0;
   film.roughness = m.s.coatRoughness;
+#ifdef LOBES
+  leaveOutLobes(film);
+#endif
   for (uint light = 0u; light < frame.directLights; ++light) {
     LightSample to = sampleLight(light, m.s.position, sample2(m.pixel, pass, joined(m.path, light)));
     if (dot(m.s.geometricNormal, to.toLight) <= 0.0) continue;
