@@ -147,6 +147,38 @@ double Budget::raysWithRoom(const Frame& frame, bool dropping) {
   return rays;
 }
 
+PassBudget::PassBudget(double milliseconds, const EffectSettings& wanted)
+    : milliseconds_(milliseconds),
+      samples_(wanted.samples),
+      most_(wanted.samples * wanted.passes),
+      rays_(most_),
+      patience_(kMinPatience) {}
+
+int PassBudget::passes() const { return std::max(1, rays_ / samples_); }
+int PassBudget::samples() const { return std::min(rays_, samples_); }
+
+void PassBudget::learn(const FrameReport& report) {
+  // Nothing can be learned from a time that was rejected.
+  if (std::any_of(report.times.begin(), report.times.end(), [](const StageTime& t) { return t.milliseconds < 0; }))
+    return;
+  const double time = timeOf(report, "frame"), rayTime = timeOf(report, "trace") + timeOf(report, "shade");
+  held_ = time <= milliseconds_;
+  const bool room = held_ && rays_ < most_ && time < kRoomShare * milliseconds_;
+  roomyFrames_ = room ? roomyFrames_ + 1 : 0;
+  const int before = rays_;
+  if (!held_ || roomyFrames_ >= patience_) {
+    roomyFrames_ = 0;
+    const double fitting =
+        rayTime > 0 ? rays_ * (kTargetShare * milliseconds_ - (time - rayTime)) / rayTime : kMaxGrowth * rays_;
+    const double limit = held_ ? kMaxGrowth * rays_ : kMaxKept * rays_;
+    rays_ = static_cast<int>(std::clamp(fitting, 1.0, std::max(1.0, std::min<double>(limit, most_))));
+    if (rays_ > samples_) rays_ -= rays_ % samples_;  // whole passes
+  }
+  if (rays_ < before && grew_) patience_ = std::min(2 * patience_, kMaxPatience);
+  if (rays_ != before) grew_ = rays_ > before;
+  atRest_ = rays_ == before && (held_ ? roomyFrames_ == 0 : rays_ == 1);
+}
+
 float contributionThreshold(std::span<const std::uint32_t> contributions, double kept) {
   double above = 0;
   for (std::size_t i = contributions.size(); i-- > 0;) {

@@ -35,6 +35,13 @@ struct RenderRequest {
 // Frames that a budget may take to settle.
 constexpr int kMaxBudgetFrames = 60;
 
+// Of an effect that sends several per pixel; whitted sends one per pass.
+EffectSettings raysOf(const Settings& settings) {
+  EffectSettings rays = settings.effect;
+  if (settings.trace.effect == Effect::whitted) rays.samples = 1;
+  return rays;
+}
+
 // The frames of a run: the first one, repeated until its structure has found its size; with a budget, more until it is
 // at rest; then the measured ones, if any. If none are asked for, the last frame so far is the picture and its times
 // are reported as those of a first frame.
@@ -48,8 +55,11 @@ class Frames {
     if (request.budgetMilliseconds) limits.milliseconds = *request.budgetMilliseconds;
     if (request.budgetMegabytes) limits.bytes = 1e6 * *request.budgetMegabytes;
     limits.minContribution = statistics.settings.select.minContribution;
-    budget_.emplace(limits);
     statistics.budget = {.limits = limits};
+    if (statistics.settings.trace.effect == Effect::reflection)
+      budget_.emplace(limits);
+    else
+      passBudget_.emplace(limits.milliseconds, raysOf(statistics.settings));
   }
 
   void draw(int repeat, const PassSteps& steps, Progress& progress, WallClock& clock) {
@@ -61,27 +71,27 @@ class Frames {
     addWarnings(report.warnings, statistics_->warnings);
     clock.lap("first_frame");
     const std::vector<StageTime> firstTimes = pictureTimes;
-    if (budget_) {
-      for (int i = 0; i < kMaxBudgetFrames && !budget_->atRest(); ++i, ++warmUp) {
+    if (hasBudget()) {
+      for (int i = 0; i < kMaxBudgetFrames && !atRest(); ++i, ++warmUp) {
         progress.show("budget, frame " + std::to_string(i + 1));
         drawNext();
       }
       pictureTimes = report.times;
-      statistics_->budget->settled = budget_->atRest();
+      statistics_->budget->settled = atRest();
       statistics_->budget->frames = repeat == 0 ? 1 : 0;
-      statistics_->budget->held = repeat == 0 && budget_->held() ? 1 : 0;
+      statistics_->budget->held = repeat == 0 && held() ? 1 : 0;
       clock.lap("budget");
     }
-    statistics_->firstFrame = repeat == 0 && !budget_;
+    statistics_->firstFrame = repeat == 0 && !hasBudget();
     statistics_->warmUpFrames = warmUp - (repeat == 0 ? 1 : 0);
     StageTimes times;
     for (int frame = 0; frame < repeat; ++frame) {
       progress.show("frame " + std::to_string(frame + 1) + " of " + std::to_string(repeat));
       drawNext();
       times.add(report.times);
-      if (!budget_) continue;
+      if (!hasBudget()) continue;
       ++statistics_->budget->frames;
-      statistics_->budget->held += budget_->held();
+      statistics_->budget->held += held();
     }
     if (repeat == 0) times.add(pictureTimes);
     // Stages that only the first frame ran (shadow maps, structures that are kept) are reported with its time.
@@ -93,6 +103,10 @@ class Frames {
   }
 
  private:
+  bool hasBudget() const { return budget_ || passBudget_; }
+  bool atRest() const { return budget_ ? budget_->atRest() : passBudget_->atRest(); }
+  bool held() const { return budget_ ? budget_->held() : passBudget_->held(); }
+
   void drawNext() {
     Settings settings = statistics_->settings;
     if (budget_) {
@@ -100,11 +114,17 @@ class Frames {
       if (budget_->forgetStructures()) renderer_->forgetStructures();
       statistics_->budget->minContribution = settings.select.minContribution;
     }
+    if (passBudget_) {
+      settings.effect.passes = passBudget_->passes();
+      settings.effect.samples = passBudget_->samples();
+      statistics_->budget->raysPerPixel = {passBudget_->raysPerPixel(), passBudget_->wanted()};
+    }
     statistics_->report = drawPicture(*renderer_, *camera_, settings, target_, samples_);
     if (budget_) {
       budget_->learn(statistics_->report);
       statistics_->budget->dropped = budget_->dropped();
     }
+    if (passBudget_) passBudget_->learn(statistics_->report);
     addWarnings(statistics_->report.warnings, statistics_->warnings);
   }
 
@@ -120,6 +140,7 @@ class Frames {
   int samples_;
   RunStatistics* statistics_;
   std::optional<Budget> budget_;
+  std::optional<PassBudget> passBudget_;  // of effects that send several rays per pixel
 };
 
 void checkBudget(const char* option, const std::optional<double>& limit) {
@@ -134,8 +155,12 @@ void checkPasses(const RenderRequest& request, const Settings& settings) {
     throw Error(ErrorKind::usage,
                 "--passes and --progress-every need an effect of several passes (trace.effect); --samples refines "
                 "reflections");
-  if (!reflects && (request.budgetMilliseconds || request.budgetMegabytes))
-    throw Error(ErrorKind::usage, "budgets need trace.effect=reflection, whose least visible rays can go");
+  if (!reflects && request.budgetMegabytes)
+    throw Error(ErrorKind::usage, "--budget-mb needs trace.effect=reflection, whose least visible rays can go");
+  if (settings.trace.effect == Effect::layers && request.budgetMilliseconds)
+    throw Error(ErrorKind::usage, "--budget-ms needs an effect that can send fewer rays, which layers cannot");
+  if (!reflects && request.budgetMilliseconds && settings.effect.progressive)
+    throw Error(ErrorKind::usage, "--budget-ms cannot be combined with effect.progressive");
   if (request.progressEvery && settings.image.antialiasing == Antialiasing::temporal)
     throw Error(ErrorKind::usage, "--progress-every cannot be combined with image.antialiasing=temporal");
 }
@@ -164,8 +189,10 @@ std::optional<FrameRange> checkRequest(const RenderRequest& request) {
   if (request.samples > 1 && (request.budgetMilliseconds || request.budgetMegabytes))
     throw Error(ErrorKind::usage, "--samples cannot be combined with a budget");
   checkOutputs(request.outputs);
-  if (request.progressEvery && (request.samples > 1 || request.repeat || !request.frames.empty()))
-    throw Error(ErrorKind::usage, "--progress-every cannot be combined with --samples, --repeat or --frames");
+  if (request.progressEvery &&
+      (request.samples > 1 || request.repeat || !request.frames.empty() || request.budgetMilliseconds))
+    throw Error(ErrorKind::usage,
+                "--progress-every cannot be combined with --samples, --repeat, --frames or --budget-ms");
   if (request.frames.empty()) {
     if (request.framesPerSecond || request.overwrite)
       throw Error(ErrorKind::usage, std::string(request.overwrite ? "--overwrite" : "--fps") + " needs --frames");
@@ -287,8 +314,10 @@ void addRenderCommand(CLI::App& program) {
       "exist are left as they are");
   command->add_option("--fps", request.framesPerSecond, "Frames per second of the sequence (default: 24)");
   command->add_flag("--overwrite", request.overwrite, "Also render frames whose files exist");
-  command->add_option("--budget-ms", request.budgetMilliseconds,
-                      "Time limit per frame in milliseconds; drops the least visible reflections until it is met");
+  command->add_option(
+      "--budget-ms", request.budgetMilliseconds,
+      "Time limit per frame in milliseconds; drops the least visible reflections until it is met, or sends fewer "
+      "rays per pixel of effects that send several");
   command->add_option("--budget-mb", request.budgetMegabytes,
                       "Memory limit of the acceleration structure in megabytes, met in the same way");
   command->callback([shared] { render(*shared); });

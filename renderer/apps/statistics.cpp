@@ -71,13 +71,15 @@ constexpr std::size_t kByScreen = 6, kByStructure = 7;  // who has answered, of 
 // null: no such limit was given.
 Json budgetJson(const BudgetSummary& budget) {
   const auto limit = [](double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); };
-  return {{"milliseconds", limit(budget.limits.milliseconds)},
-          {"megabytes", limit(budget.limits.bytes / 1e6)},
-          {"frames", budget.frames},
-          {"frames_held", budget.held},
-          {"settled", budget.settled},
-          {"min_contribution", budget.minContribution},
-          {"dropped", budget.dropped}};
+  Json json = {{"milliseconds", limit(budget.limits.milliseconds)},
+               {"megabytes", limit(budget.limits.bytes / 1e6)},
+               {"frames", budget.frames},
+               {"frames_held", budget.held},
+               {"settled", budget.settled},
+               {"min_contribution", budget.minContribution},
+               {"dropped", budget.dropped}};
+  if (budget.raysPerPixel) json["rays_per_pixel"] = budget.raysPerPixel->first;
+  return json;
 }
 
 Json choiceJson(const MethodChoice& choice) {
@@ -90,6 +92,9 @@ std::string budgetLine(const BudgetSummary& budget, const FrameReport& report) {
   std::string limits;
   if (std::isfinite(budget.limits.milliseconds)) limits += format("%g ms", budget.limits.milliseconds);
   if (std::isfinite(budget.limits.bytes))
+  if (budget.raysPerPixel)
+    return format("budget      %s: met in %zu of %zu frames; %d of %d rays per pixel\n", limits.c_str(), budget.held,
+                  budget.frames, budget.raysPerPixel->first, budget.raysPerPixel->second);
     limits += format(limits.empty() ? "%g MB" : " and %g MB", budget.limits.bytes / 1e6);
   return format(
       "budget      %s: met in %zu of %zu frames; dropped %llu of %llu pixels, contributions up to about %.4f\n",

@@ -44,8 +44,10 @@ class StageTimes {
 // How a run kept to its budget.
 struct BudgetSummary {
   BudgetLimits limits;
-  float minContribution = 0;         // of the last frame
-  std::uint64_t dropped = 0;         // pixels of the last frame, because of the limits
+  float minContribution = 0;  // of the last frame
+  std::uint64_t dropped = 0;  // pixels of the last frame, because of the limits
+  // Of effects that send several: of the last frame, and without limits.
+  std::optional<std::pair<int, int>> raysPerPixel = {};
   bool settled = false;              // the threshold was at rest before the picture or the measured frames
   std::size_t frames = 0, held = 0;  // drawn since then, and how many of these were within the limits
 };

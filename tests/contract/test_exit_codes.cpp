@@ -67,6 +67,14 @@ TEST(ExitCodes, WrongBudgetsAre2) {
       expectRefused(folder, std::string("render builtin:sphere -o a.png ") + option + " " + value, 2, option);
 }
 
+TEST(ExitCodes, BudgetsThatAnEffectCannotKeepAre2) {
+  const TemporaryFolder folder;
+  expectRefused(folder, "render builtin:sphere -o a.png --preset path --budget-mb 4", 2, "--budget-mb");
+  expectRefused(folder, "render builtin:sphere -o a.png --preset layers --budget-ms 4", 2, "--budget-ms");
+  expectRefused(folder, "render builtin:sphere -o a.png --preset path --progress-every 1 --budget-ms 4", 2,
+                "--budget-ms");
+}
+
 TEST(ExitCodes, WrongTuningIs2) {
   const TemporaryFolder folder;
   const std::string tune = "tune builtin:sphere -o c.toml ";

@@ -315,6 +315,24 @@ TEST(Render, TimeBudgetDropsEverythingIfItCannotBeMetAndNothingIfItIsLarge) {
   EXPECT_TRUE(readText(folder / "b.png") == readText(folder / "c.png"));
 }
 
+TEST(Render, TimeBudgetsOfOtherEffectsSendFewerRaysPerPixel) {
+  const TemporaryFolder folder;
+  const std::string render = kQuickSphere + "--preset occlusion --set effect.samples=4 --passes 3 ";
+  const ProgramResult small = runProgramIn(folder, render + "-o a.png --stats a.json --budget-ms 0.001");
+  expectDone(small);
+  EXPECT_NE(small.err.find("budget"), std::string::npos) << small.err;
+  EXPECT_NE(small.out.find("1 of 12 rays per pixel"), std::string::npos) << small.out;
+  const auto few = readJson(folder / "a.json");
+  EXPECT_EQ(few["budget"]["rays_per_pixel"], 1);
+  EXPECT_EQ(few["budget"]["frames_held"], 0);
+  expectDone(runProgramIn(folder, render + "-o b.png --stats b.json --budget-ms 1e6"));
+  const auto all = readJson(folder / "b.json");
+  EXPECT_EQ(all["budget"]["rays_per_pixel"], 12);
+  EXPECT_EQ(all["rays"]["occlusion"].get<int>(), 12 * few["rays"]["occlusion"].get<int>());
+  expectDone(runProgramIn(folder, render + "-o c.png"));
+  EXPECT_TRUE(readText(folder / "b.png") == readText(folder / "c.png"));
+}
+
 // A device may take no more than 128 MiB per storage block, which is 16 bytes for each of these pixels.
 class LargePicture : public testing::TestWithParam<const char*> {};
 

@@ -305,5 +305,57 @@ TEST(Budget, TheUsersOwnThresholdStays) {
   }
 }
 
+// A renderer whose rays take `perRay` milliseconds per pixel.
+FrameReport drawPasses(const PassBudget& budget, double fixed, double perRay) {
+  const double rays = perRay * budget.passes() * budget.samples();
+  FrameReport report;
+  report.times = {{"trace", 0.75 * rays}, {"shade", 0.25 * rays}, {"frame", fixed + rays}};
+  return report;
+}
+
+EffectSettings passesOf(int samples, int passes) {
+  EffectSettings settings;
+  settings.samples = samples;
+  settings.passes = passes;
+  return settings;
+}
+
+TEST(PassBudget, SendsAsManyRaysAsTheLimitAllowsAndThenRests) {
+  PassBudget budget(20, passesOf(8, 16));
+  FrameReport report;
+  int frames = 0;
+  for (; frames < 20 && !budget.atRest(); ++frames) budget.learn(report = drawPasses(budget, 4, 0.5));
+  EXPECT_TRUE(budget.atRest()) << frames;
+  EXPECT_TRUE(budget.held());
+  EXPECT_EQ(budget.passes(), 3);  // 4 + 3 * 8 * 0.5
+  EXPECT_EQ(budget.samples(), 8);
+  EXPECT_EQ(budget.raysPerPixel(), 24);
+  // Four times as fast: passes come back, up to the limit.
+  for (int i = 0; i < 40; ++i) budget.learn(report = drawPasses(budget, 4, 0.125));
+  EXPECT_TRUE(budget.held());
+  EXPECT_GE(budget.passes(), 10);
+  EXPECT_LE(frameTime(report), 20);
+}
+
+TEST(PassBudget, LowersSamplesBelowOnePassAndSendsOneRayAtLeast) {
+  PassBudget budget(6, passesOf(8, 4));
+  for (int i = 0; i < 10; ++i) budget.learn(drawPasses(budget, 4, 0.5));
+  EXPECT_TRUE(budget.held());
+  EXPECT_EQ(budget.passes(), 1);
+  EXPECT_EQ(budget.samples(), 2);
+  PassBudget hopeless(1, passesOf(8, 4));
+  for (int i = 0; i < 10; ++i) hopeless.learn(drawPasses(hopeless, 4, 0.5));
+  EXPECT_EQ(hopeless.raysPerPixel(), 1);
+  EXPECT_FALSE(hopeless.held());
+  EXPECT_TRUE(hopeless.atRest());
+}
+
+TEST(PassBudget, ChangesNothingIfThereIsTime) {
+  PassBudget budget(1000, passesOf(8, 4));
+  budget.learn(drawPasses(budget, 4, 0.5));
+  EXPECT_EQ(budget.raysPerPixel(), 32);
+  EXPECT_TRUE(budget.atRest());
+}
+
 }  // namespace
 }  // namespace halfsilver

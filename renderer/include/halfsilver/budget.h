@@ -61,6 +61,30 @@ class Budget {
   std::uint64_t dropped_ = 0;
 };
 
+// The same for effects whose picture is the mean of several rays per pixel (EffectSettings): keeps frames within a
+// limit of time by sending fewer of them, passes first. `wanted` is the most.
+class PassBudget {
+ public:
+  PassBudget(double milliseconds, const EffectSettings& wanted);
+
+  // Learns from the last frame, which was drawn with these numbers.
+  void learn(const FrameReport& report);
+
+  int passes() const;   // for EffectSettings, as the next
+  int samples() const;  // 1 at least
+  int raysPerPixel() const { return rays_; }
+  int wanted() const { return most_; }
+  bool held() const { return held_; }      // as above
+  bool atRest() const { return atRest_; }  // as above
+
+ private:
+  double milliseconds_;
+  int samples_, most_;  // rays per pixel of a pass, and of all
+  int rays_;            // of the next frame
+  int roomyFrames_ = 0, patience_;
+  bool held_ = false, atRest_ = false, grew_ = false;
+};
+
 // The threshold that keeps about `kept` of the pixels counted in `contributions` (FrameReport::contributions).
 float contributionThreshold(std::span<const std::uint32_t> contributions, double kept);
 
