@@ -10,7 +10,8 @@ namespace halfsilver {
 static_assert(kShadowRays == RAY_SHADOW && kRayKinds == RAY_THROUGH + 1);
 
 std::size_t Frame::bytes() const {
-  std::size_t sum = constants.bytes() + gbuffer.bytes() + effect.bytes() + hits.bytes() + lightRays.bytes();
+  std::size_t sum =
+      constants.bytes() + gbuffer.bytes() + effect.bytes() + hits.bytes() + lightRays.bytes() + tally.bytes();
   for (const RayBatch& batch : batches) sum += batch.bytes();
   for (const RayQueue& queue : queues) sum += queue.bytes();
   return sum;

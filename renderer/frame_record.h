@@ -12,6 +12,7 @@
 #include <halfsilver/tracer.h>
 #include "effects/light_rays/light_rays.h"
 #include "effects/ray_effect.h"
+#include "frame/ray_tally.h"
 
 namespace halfsilver {
 
@@ -43,6 +44,7 @@ struct Frame {
   std::array<RayQueue, 2> queues;
   Hits hits;  // of later generations
   LightRayFrame lightRays;
+  RayTally tally;  // with trace.tally
 
   void forgetRays();
   std::size_t bytes() const;

@@ -79,7 +79,10 @@ void Renderer::Impl::submitBatch(const FrameView& view, Frame& frame, std::size_
 void Renderer::Impl::finishBatch(const FrameView& view, Frame& frame, std::size_t number) {
   RayBatch& batch = frame.batches[number];
   effect->measure(view, batch.rays, frame.effect);
-  if (!effect->startsAtCamera()) tracer->collect(view, batch.rays, batch.hits);
+  if (!effect->startsAtCamera()) {
+    tracer->collect(view, batch.rays, batch.hits);
+    if (frame.tally.any()) tallyPass.add(view, batch.rays, batch.hits, false, frame.tally);
+  }
   for (std::uint32_t pass = 0; pass < frame.passes.count; ++pass)
     runPass(view, frame, batch,
             {.pass = frame.passes.first + pass,
@@ -94,7 +97,7 @@ void Renderer::Impl::runPass(const FrameView& view, Frame& frame, RayBatch& batc
   const bool blending = frame.host.blends != 0;
   const int generations = effect->generations(frame.settings, blending);
   const bool byRays = lightsByRays(frame.settings);
-  const LightRays::Trace trace = tracing(view);
+  const LightRays::Trace trace = tracing(view, frame);
   for (int generation = 0; generation < generations; ++generation) {
     step.generation = generation;
     const bool last = generation + 1 == generations;
@@ -193,7 +196,7 @@ void Renderer::Impl::start(const Work& work, const Camera& camera, const Setting
   if (early) submitBatch(view, frame, 0);
   shadePass.run(view, frame.gbuffer);
   if (byRays)
-    lightRays.lightPixels(view, lights, tracing(view), static_cast<int>(frame.batches.size()), frame.lightRays);
+    lightRays.lightPixels(view, lights, tracing(view, frame), static_cast<int>(frame.batches.size()), frame.lightRays);
   if (tracer && !early) submitBatch(view, frame, 0);
   change = {};
 }
@@ -202,11 +205,16 @@ void Renderer::Impl::start(const Work& work, const Camera& camera, const Setting
 void Renderer::Impl::finish(const Target& target) {
   if (underWay.empty()) throw Error(ErrorKind::usage, "finish(): no frame is under way, call begin() first");
   const Work work = underWay.front();
+    if (wanted.trace.tally)
+      tallyPass.begin(view, frame.tally);
+    else
+      frame.tally = {};
   Frame& frame = frames[work.frame];
   FrameRecord& record = records[work.record];
   if (target.width != frame.gbuffer.width || target.height != frame.gbuffer.height)
     throw Error(ErrorKind::usage, "finish(): the target has another size than begin() was given");
   underWay.pop_front();
+    frame.tally = {};
   try {
     const auto section = record.profiler().section("frame");
     const FrameView view = viewOf(frame, record.profiler());

@@ -47,6 +47,7 @@ struct Renderer::Impl {
   ShadePass shadePass{api};
   LightRays lightRays{api};
   InterpolatePass interpolatePass{api};
+  RayTallyPass tallyPass{api};
   Picture picture{api};
   std::unique_ptr<RayEffect> effect;
   std::optional<Effect> effectName;

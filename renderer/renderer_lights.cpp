@@ -45,13 +45,14 @@ void Renderer::Impl::markShadows(const FrameView& view, const Settings& wanted, 
     gbuffer.shadowMarks = gl::Texture();
 }
 
-LightRays::Trace Renderer::Impl::tracing(const FrameView& view) {
-  return [this, &view](const RayQueue& rays, Hits& hits, bool any) {
+LightRays::Trace Renderer::Impl::tracing(const FrameView& view, const Frame& frame) {
+  return [this, &view, &frame](const RayQueue& rays, Hits& hits, bool any) {
     reserveHits(api, rays, tracer->storesAttributes(), hits);
     if (any)
       tracer->occluded(view, rays, hits);
     else
       tracer->trace(view, rays, hits);
+    if (frame.tally.any()) tallyPass.add(view, rays, hits, any, frame.tally);
   };
 }
 

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <utility>
 
 #include <halfsilver/error.h>
 #include "frame/frame_constants.h"
@@ -51,7 +52,9 @@ Image Renderer::readLayers() const {
   r.api.MemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
   if (!r.rayReader) r.rayReader.emplace(r.api);
   const std::vector<shared::RayWork> work = r.reported && r.keepsWork() ? r.readWork() : std::vector<shared::RayWork>();
-  return assembleLayers(r.viewOf(frame, untimed), linear, frame.batches, work, r.readAnswers(), *r.rayReader);
+  Image layers = assembleLayers(r.viewOf(frame, untimed), linear, frame.batches, work, r.readAnswers(), *r.rayReader);
+  return frame.tally.any() ? withTally(std::move(layers), frame.tally, static_cast<double>(frame.host.diagonal))
+                           : layers;
 }
 
 std::optional<Picked> Renderer::pick(int x, int y) const {

@@ -96,6 +96,7 @@ void visitAll(S& s, Visitor&& visit) {
   visit("trace.effect", s.trace.effect, 0, 0, "which rays there are and what their ends mean");
   visit("trace.bounces", s.trace.bounces, 1, 16, "reflections, or stretches of a path, one after the other");
   visit("trace.stage", s.trace.stage, 0, 0, "the shader stage that traces");
+  visit("trace.tally", s.trace.tally, 0, 1, "counts each pixel's rays and hits by kind, for the layers and compare");
   visit("trace.count_work", s.trace.countWork, 0, 1, "counts each ray's steps and tests, for benchmarks");
   visit("effect.samples", s.effect.samples, 1, 64, "rays per pixel and pass, of effects that send several");
   visit("effect.passes", s.effect.passes, 1, 65536, "passes per frame, of the same");

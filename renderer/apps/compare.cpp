@@ -20,8 +20,16 @@ struct CompareRequest {
 void printComparison(const Comparison& comparison) {
   const nlohmann::ordered_json json = toJson(comparison);
   for (const auto& [name, value] : json.items()) {
+    if (name == "kinds") continue;
     const std::string text = !value.is_null() ? value.dump() : name == "psnr_db" ? "inf" : "not available";
     std::cout << name << std::string(20 - name.size(), ' ') << text << '\n';
+  }
+  if (!json.contains("kinds")) return;
+  for (const auto& [kind, figures] : json["kinds"].items()) {
+    std::cout << "rays: " << kind;
+    for (const auto& [name, value] : figures.items())
+      std::cout << (name == "rays" ? std::string(14 - kind.size(), ' ') : ", " + name + ' ') << value.dump();
+    std::cout << '\n';
   }
 }
 
@@ -51,7 +59,10 @@ void addCompareCommand(CLI::App& program) {
       "rmse, psnr_db and max_error compare R, G and B as stored (PNG: display values 0..1; EXR: linear radiance).\n"
       "yee_failures and yee_fail_fraction are OpenImageIO's perceptual comparison. If both are layer files, hit_error "
       "and\nthe figures after it are fractions of the pixels selected in either file: false_miss is a hit in REFERENCE "
-      "only,\nfalse_hit a hit in IMAGE only.");
+      "only,\nfalse_hit a hit in IMAGE only. Files that were rendered with --set trace.tally=true also compare all "
+      "rays of "
+      "each kind,\nby counts: false_occlusion are hits in IMAGE beyond those of REFERENCE, pixel by pixel, "
+      "false_visibility the other way\nround, unmatched rays that only one of them has sent.");
   command->callback([request] { compare(*request); });
 }
 

@@ -165,7 +165,9 @@ Json toJson(const RunStatistics& s) {
   json["pixels"]["resampled"] = s.report.resampled;
   json["pixels"]["interpolated"] = s.report.interpolated;
   json["rays"]["min_distance"] = s.report.minDistance;
-  for (std::size_t kind = 0; kind < kRayNames.size(); ++kind) json["rays"][kRayNames[kind]] = s.report.rays[kind];
+  for (std::size_t kind = 0; kind < kRayKinds; ++kind) json["rays"][kRayKindNames[kind]] = s.report.rays[kind];
+  json["rays"]["by_screen"] = s.report.rays[kByScreen];
+  json["rays"]["by_structure"] = s.report.rays[kByStructure];
   json["memory"] = {{"voxels", memory.voxels},
                     {"heads", memory.heads},
                     {"pool_reserved", memory.poolReserved},
@@ -222,6 +224,12 @@ Json toJson(const Comparison& comparison) {
     json["false_hit"] = comparison.layers->falseHit;
     json["wrong_id"] = comparison.layers->wrongId;
     json["selected_mismatch"] = comparison.layers->selectedMismatch;
+    for (const KindComparison& kind : comparison.layers->kinds)
+      json["kinds"][kind.kind] = {{"rays", kind.rays},
+                                  {"unmatched", kind.unmatched},
+                                  {"false_occlusion", kind.falseOcclusion},
+                                  {"false_visibility", kind.falseVisibility},
+                                  {"wrong_distance", kind.wrongDistance}};
     json["overflow"] = comparison.layers->overflow;
   }
   return json;

@@ -6,7 +6,11 @@
 #include <initializer_list>
 #include <optional>
 #include <span>
+#include <string>
+#include <utility>
 #include <vector>
+
+#include <halfsilver/ray_kinds.h>
 
 namespace halfsilver {
 namespace {
@@ -101,7 +105,7 @@ void addHits(Image& image, const FrameView& view, const RayBatch& batch, std::sp
 }
 
 // With more channels; a pixel's values lie side by side.
-Image withChannels(const Image& image, std::initializer_list<const char*> names, std::span<const float> values) {
+Image withChannels(const Image& image, std::initializer_list<std::string> names, std::span<const float> values) {
   const std::size_t before = image.channels.size(), more = names.size();
   Image result{image.width, image.height, image.channels, {}};
   result.channels.insert(result.channels.end(), names.begin(), names.end());
@@ -203,6 +207,26 @@ Image assembleLayers(const FrameView& view, const gl::Texture& linear, std::span
   if (!work.empty()) image = withWork(image, batches.front(), work);
   if (!answers.empty()) image = withAnswers(image, batches, answers);
   return image;
+}
+
+Image withTally(Image layers, const RayTally& tally, double diagonal) {
+  for (std::size_t kind = 0; kind < tally.kinds.size(); ++kind) {
+    const std::vector<shared::KindTally> pixels = tally.kinds[kind].read<shared::KindTally>(layers.pixelCount());
+    if (std::all_of(pixels.begin(), pixels.end(), [](const shared::KindTally& pixel) { return pixel.rays == 0; }))
+      continue;
+    std::vector<float> values(3 * pixels.size());
+    for (std::size_t pixel = 0; pixel < pixels.size(); ++pixel) {
+      const shared::KindTally& of = pixels[pixel];
+      const double sum = diagonal * TALLY_UNIT * (0x1p32 * of.high + of.low);
+      float* value = &values[3 * fromTop(layers, pixel)];
+      value[0] = static_cast<float>(of.rays);
+      value[1] = static_cast<float>(of.hits);
+      value[2] = of.hits ? static_cast<float>(sum / of.hits) : 0.0f;
+    }
+    const std::string name = kRayKindNames[kind];
+    layers = withChannels(layers, {"rays." + name, "hits." + name, "distance." + name}, values);
+  }
+  return layers;
 }
 
 }  // namespace halfsilver

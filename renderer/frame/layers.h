@@ -6,6 +6,7 @@
 
 #include <halfsilver/image.h>
 #include <halfsilver/ray_reader.h>
+#include "frame/ray_tally.h"
 
 namespace halfsilver {
 
@@ -16,5 +17,8 @@ namespace halfsilver {
 Image assembleLayers(const FrameView& view, const gl::Texture& linear, std::span<const RayBatch> batches,
                      std::span<const shared::RayWork> work, std::span<const std::vector<std::uint32_t>> answers,
                      RayReader& reader);
+
+// The layers with what is known of each kind of ray that there is: rays.*, hits.* and distance.*, the mean in meters.
+Image withTally(Image layers, const RayTally& tally, double diagonal);
 
 }  // namespace halfsilver

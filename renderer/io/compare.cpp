@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include <halfsilver/error.h>
 
@@ -35,20 +37,64 @@ Image colors(const Image& image, const char* which) {
   return result;
 }
 
-// One channel of an image, by pixel.
+// One channel of an image, by pixel; 0 everywhere if there is none of that name.
 class Plane {
  public:
-  Plane(const Image& image, const char* name)
-      : data_(image.data), stride_(image.channels.size()), channel_(static_cast<std::size_t>(image.channel(name))) {}
-  float operator[](std::size_t pixel) const { return data_[pixel * stride_ + channel_]; }
+  Plane(const Image& image, const std::string& name)
+      : data_(image.data), stride_(image.channels.size()), channel_(image.channel(name)) {}
+  float operator[](std::size_t pixel) const {
+    return channel_ < 0 ? 0.0f : data_[pixel * stride_ + static_cast<std::size_t>(channel_)];
+  }
 
  private:
   const std::vector<float>& data_;
-  std::size_t stride_, channel_;
+  std::size_t stride_;
+  int channel_;
 };
 
 bool hasLayers(const Image& image) {
   return image.channel("selected.Y") >= 0 && image.channel("hit.T") >= 0 && image.channel("hit.id") >= 0;
+}
+
+// The difference of two counts that files hold as floats.
+std::uint64_t beyond(float a, float b) { return a > b ? static_cast<std::uint64_t>(a - b) : 0; }
+
+KindComparison compareKind(const Image& image, const Image& reference, const std::string& kind, double diagonal) {
+  const auto plane = [&kind](const Image& of, const char* what) { return Plane(of, what + ("." + kind)); };
+  const Plane rays = plane(image, "rays"), referenceRays = plane(reference, "rays");
+  const Plane hits = plane(image, "hits"), referenceHits = plane(reference, "hits");
+  const Plane distance = plane(image, "distance"), referenceDistance = plane(reference, "distance");
+  KindComparison result{.kind = kind};
+  for (std::size_t p = 0; p < image.pixelCount(); ++p) {
+    result.rays += static_cast<std::uint64_t>(referenceRays[p]);
+    result.unmatched += beyond(rays[p], referenceRays[p]) + beyond(referenceRays[p], rays[p]);
+    if (rays[p] != referenceRays[p]) continue;
+    result.falseOcclusion += beyond(hits[p], referenceHits[p]);
+    result.falseVisibility += beyond(referenceHits[p], hits[p]);
+    result.wrongDistance +=
+        hits[p] == referenceHits[p] && hits[p] * std::abs(double(distance[p]) - referenceDistance[p]) > 1e-3 * diagonal;
+  }
+  return result;
+}
+
+// Of all kinds that one of the files counts, if both count any.
+std::vector<KindComparison> compareKinds(const Image& image, const Image& reference, double diagonal) {
+  constexpr std::string_view kPrefix = "rays.";
+  std::vector<std::string> names;
+  for (const Image* file : {&image, &reference}) {
+    bool counts = false;
+    for (const std::string& channel : file->channels) {
+      if (!channel.starts_with(kPrefix)) continue;
+      counts = true;
+      const std::string name = channel.substr(kPrefix.size());
+      if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    }
+    if (!counts) return {};
+  }
+  std::sort(names.begin(), names.end());
+  std::vector<KindComparison> kinds;
+  for (const std::string& name : names) kinds.push_back(compareKind(image, reference, name, diagonal));
+  return kinds;
 }
 
 double sceneDiagonal(const ImageFile& image, const ImageFile& reference, std::optional<double> given) {
@@ -101,6 +147,7 @@ LayerComparison compareLayers(const Image& image, const Image& reference, double
   result.wrongId = share(wrongId);
   result.selectedMismatch = share(mismatch);
   result.overflow = share(overflow);
+  result.kinds = compareKinds(image, reference, diagonal);
   return result;
 }
 

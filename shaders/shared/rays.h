@@ -93,6 +93,15 @@ struct RayWork {
   uint tests;  // of triangles, or texels looked at
 };
 
+// A pixel's rays of one kind.
+struct KindTally {
+  uint rays;
+  uint hits;
+  uint low;  // of the hits' distances, in TALLY_UNIT of the scene's diagonal; the carry is in `high`
+  uint high;
+};
+#define TALLY_UNIT (1.0f / 1048576.0f)
+
 // A ray that waits for the next dispatch, at the ray's index.
 struct PausedRay {
   float t;            // where to go on, meters

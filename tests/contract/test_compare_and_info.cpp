@@ -4,7 +4,9 @@
 #include <cctype>
 #include <cmath>
 #include <fstream>
+#include <map>
 #include <string>
+#include <vector>
 
 #include "program.h"
 
@@ -124,6 +126,51 @@ TEST(CompareCommand, LayersOfTwoMethods) {
   EXPECT_GT(half["false_miss"], 0.1);
   EXPECT_EQ(half["false_hit"], 0.0);
   EXPECT_EQ(half["hit_error"], half["false_miss"]);
+}
+
+// All rays of a method beside those of the reference, by kind.
+TEST(CompareCommand, RaysByKind) {
+  const TemporaryFolder folder;
+  const auto layersOf = [&](const std::string& file, const std::string& arguments) {
+    const ProgramResult result =
+        runProgramIn(folder, "render builtin:glass --size 48x27 --set trace.tally=true -o a.png --stats s.json " +
+                                 arguments + " --layers " + file);
+    EXPECT_EQ(result.exitCode, 0) << result.err;
+    return readJson(folder / "s.json")["rays"];
+  };
+  const std::map<std::string, std::vector<std::string>> kinds = {
+      {"reflection", {"reflection"}},
+      {"whitted", {"reflection", "refraction", "shadow"}},
+      {"occlusion", {"occlusion"}},
+      {"path", {"scattered", "shadow"}},
+  };
+  for (const auto& [effect, expected] : kinds) {
+    const std::string with = "--set trace.effect=" + effect + " --set effect.samples=2 ";
+    layersOf("reference.exr", with + "--set trace.method=exact");
+    const auto rays = layersOf("own.exr", with + "--set trace.method=identity");
+    const auto own = compareJson(folder, "own.exr reference.exr");
+    for (const std::string& kind : expected) {
+      ASSERT_TRUE(own["kinds"].contains(kind)) << effect << ": " << own;
+      EXPECT_GT(own["kinds"][kind]["rays"], 100) << effect;
+      EXPECT_EQ(own["kinds"][kind]["rays"], rays[kind]) << effect;
+    }
+    for (const auto& [kind, figures] : own["kinds"].items())
+      for (const char* wrong : {"unmatched", "false_occlusion", "false_visibility", "wrong_distance"})
+        EXPECT_EQ(figures[wrong], 0) << effect << ' ' << kind << ' ' << wrong;
+  }
+  // What the camera does not see is not there.
+  const std::string occlusion = "--preset occlusion --set trace.method=";
+  layersOf("reference.exr", occlusion + "exact");
+  layersOf("screen.exr", occlusion + "screen-space");
+  const auto screen = compareJson(folder, "screen.exr reference.exr")["kinds"]["occlusion"];
+  EXPECT_GT(screen["false_visibility"], screen["rays"].get<int>() / 100);
+  EXPECT_EQ(screen["unmatched"], 0);
+  const ProgramResult text = runProgramIn(folder, "compare screen.exr reference.exr");
+  EXPECT_NE(text.out.find("rays: occlusion"), std::string::npos) << text.out;
+  EXPECT_NE(text.out.find("false_visibility " + screen["false_visibility"].dump()), std::string::npos) << text.out;
+  // Files without these counts are compared as ever.
+  ASSERT_EQ(runProgramIn(folder, kQuickSphere + "-o a.png --layers plain.exr").exitCode, 0);
+  EXPECT_FALSE(compareJson(folder, "plain.exr plain.exr").contains("kinds"));
 }
 
 TEST(InfoCommand, SaysWhatTheSceneHolds) {

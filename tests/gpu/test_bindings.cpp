@@ -295,6 +295,21 @@ TEST_F(Bindings, OfSmoothEdges) {
   }
 }
 
+TEST_F(Bindings, OfGlossyReflectionsThatLookAtTheScreen) {
+  expectNothingBorrowed(litSoup(), kAbove, {{"effect.glossy", "true"}, {"effect.samples", "2"}});
+}
+
+TEST_F(Bindings, OfClearCoats) {
+  Scene scene = litSoup();
+  for (Material& material : scene.materials) material.coat = 1;
+  for (const char* shadows : {"maps", "rays", "refined"}) {
+    SCOPED_TRACE(shadows);
+    expectNothingBorrowed(scene, kAbove, {{"shadow.method", shadows}});
+  }
+}
+
+TEST_F(Bindings, OfATally) { expectNothingBorrowed(litSoup(), kAbove, {{"trace.tally", "true"}}); }
+
 TEST_F(Bindings, OfTracingInFragments) { expectNothingBorrowed(litSoup(), kAbove, {{"trace.stage", "fragment"}}); }
 
 }  // namespace

@@ -65,6 +65,7 @@ const std::map<std::string, std::string> kPublicHeaders = {
     {"pose.h", "scene"},
     {"primary_settings.h", "settings"},
     {"products.h", "frame"},
+    {"ray_kinds.h", "core"},
     {"ray_reader.h", "frame"},
     {"renderer.h", "renderer"},
     {"scene.h", "scene"},

@@ -6,10 +6,12 @@
 #include <string>
 #include <vector>
 
+#include <halfsilver/ray_kinds.h>
+
 namespace halfsilver {
 
 // Of FrameReport::rays: RAY_... of shaders/shared/rays.h.
-inline constexpr std::size_t kShadowRays = 2, kRayKinds = 6;
+inline constexpr std::size_t kShadowRays = 2, kRayKinds = kRayKindNames.size();
 
 struct StageTime {
   // "pose", "shadow", "gbuffer", "select", "voxelize", "build", "trace", "shade", "composite", "frame"

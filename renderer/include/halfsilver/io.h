@@ -101,16 +101,29 @@ std::span<const PresetFile> presetFiles();
 
 // How far an image is from a reference.
 
+// Rays of one kind, of layer files that count them (trace.tally): counts over all pixels. Pixels whose numbers of rays
+// differ are left out of the figures after the second.
+struct KindComparison {
+  std::string kind;                   // "reflection", "shadow", ...
+  std::uint64_t rays = 0;             // of the reference
+  std::uint64_t unmatched = 0;        // by which the pixels' numbers of rays differ
+  std::uint64_t falseOcclusion = 0;   // hits in the image beyond those of the reference
+  std::uint64_t falseVisibility = 0;  // the other way round
+  std::uint64_t wrongDistance = 0;    // pixels with as many hits whose distances add up to 0.1 % of the diagonal more
+                                      // or less
+};
+
 // For layer files. All figures are fractions of the pixels selected in either file (0 if there are none); a pixel is a
 // hit if its hit.T is at least 0.
 struct LayerComparison {
-  std::uint64_t pixels = 0;     // selected in either file
-  double hitError = 0;          // hit in one file only, or hit.T further apart than 0.1 % of the scene's diagonal
-  double falseMiss = 0;         // hit in the reference only
-  double falseHit = 0;          // hit in the image only
-  double wrongId = 0;           // hit in both, hit.id differs
-  double selectedMismatch = 0;  // selected in one file only
-  double overflow = 0;          // given up (hit.T -3) in the image
+  std::uint64_t pixels = 0;           // selected in either file
+  double hitError = 0;                // hit in one file only, or hit.T further apart than 0.1 % of the scene's diagonal
+  double falseMiss = 0;               // hit in the reference only
+  double falseHit = 0;                // hit in the image only
+  double wrongId = 0;                 // hit in both, hit.id differs
+  double selectedMismatch = 0;        // selected in one file only
+  double overflow = 0;                // given up (hit.T -3) in the image
+  std::vector<KindComparison> kinds;  // that one of the files has, if both count them
 };
 
 struct Comparison {

@@ -100,6 +100,7 @@ struct TraceSettings {
   int bounces = 1;                     // 1..16
   TraceStage stage = TraceStage::compute;
   bool countWork = false;  // each ray's steps and tests are counted, see Renderer::readRayWork()
+  bool tally = false;      // each pixel's rays and hits are counted by kind, for the layers
 
   bool operator==(const TraceSettings&) const = default;
 };

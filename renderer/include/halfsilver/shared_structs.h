@@ -70,6 +70,9 @@ HALFSILVER_AT(Hit, u, 8);
 HALFSILVER_AT(Hit, v, 12);
 static_assert(sizeof(Hit) == 16);
 
+HALFSILVER_AT(KindTally, high, 12);
+static_assert(sizeof(KindTally) == 16);
+
 HALFSILVER_AT(PausedRay, t, 0);
 HALFSILVER_AT(PausedRay, bestTriangle, 4);
 HALFSILVER_AT(PausedRay, tested, 8);
