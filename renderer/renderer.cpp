@@ -92,6 +92,26 @@ void Renderer::Impl::finishBatch(const FrameView& view, Frame& frame, std::size_
                   frame.gbuffer);
 }
 
+// The screen's own tracer answers what an effect asks it, whatever method traces the frame.
+void Renderer::Impl::lookAtScreen(const FrameView& view, Frame& frame) {
+  if (!tracer || !effect->looksAtScreen(frame.settings)) {
+    frame.effect.seen = {};
+    screen.reset();
+    return;
+  }
+  if (!screen) {
+    Settings settings;
+    settings.trace.method = "screen-space";
+    screen = makeTracer(api, settings, {});
+  }
+  screen->update(view, {});
+  const auto answer = [&](const RayQueue& rays, Hits& hits) {
+    reserveHits(api, rays, screen->storesAttributes(), hits);
+    screen->trace(view, rays, hits);
+  };
+  effect->lookAtScreen(view, answer, frame.effect, frame.gbuffer);
+}
+
 // All generations of a batch.
 void Renderer::Impl::runPass(const FrameView& view, Frame& frame, RayBatch& batch, RayStep step) {
   const bool blending = frame.host.blends != 0;
@@ -149,6 +169,7 @@ void Renderer::Impl::start(const Work& work, const Camera& camera, const Setting
       makeFrameConstants(camera, scene.extents.bounds(), sky, wanted, size.x, size.y, shadows.ranges, use.jitter);
   constants.allLight = effect->bringsAllLight() ? 1 : 0;
   constants.blends = blends(wanted) ? 1 : 0;
+  constants.coats = effect->showsCoats() && !effect->bringsAllLight() && scene.coatedMaterials > 0 ? 1 : 0;
   if (lightsByRays(wanted) || marksShadows(wanted)) constants.mappedLights = 0;
   constants.firstPass = use.passes.first;
   constants.traces =
@@ -184,11 +205,16 @@ void Renderer::Impl::start(const Work& work, const Camera& camera, const Setting
       frame.lightRays = {};
       frame.effect.directLight = {};
     }
+    if (wanted.trace.tally)
+      tallyPass.begin(view, frame.tally);
+    else
+      frame.tally = {};
     // Some structures know holes.
     if (std::exchange(tracedBlends, view.frame.blends) != view.frame.blends) change = SceneChange::everything();
     tracer->update(view, change);
     frame.batches.resize(static_cast<std::size_t>(effect->batches(view, wanted, maxRays(wanted))));
   } else {
+    frame.tally = {};
     frame.batches.clear();  // no memory for rays that nobody traces
   }
   // Rays are on their way while the G-buffer is shaded, unless it says which ones there are.
@@ -205,16 +231,11 @@ void Renderer::Impl::start(const Work& work, const Camera& camera, const Setting
 void Renderer::Impl::finish(const Target& target) {
   if (underWay.empty()) throw Error(ErrorKind::usage, "finish(): no frame is under way, call begin() first");
   const Work work = underWay.front();
-    if (wanted.trace.tally)
-      tallyPass.begin(view, frame.tally);
-    else
-      frame.tally = {};
   Frame& frame = frames[work.frame];
   FrameRecord& record = records[work.record];
   if (target.width != frame.gbuffer.width || target.height != frame.gbuffer.height)
     throw Error(ErrorKind::usage, "finish(): the target has another size than begin() was given");
   underWay.pop_front();
-    frame.tally = {};
   try {
     const auto section = record.profiler().section("frame");
     const FrameView view = viewOf(frame, record.profiler());
@@ -224,6 +245,7 @@ void Renderer::Impl::finish(const Target& target) {
         finishBatch(view, frame, number);
       }
     }
+    lookAtScreen(view, frame);
     if (frame.gbuffer.tested) interpolatePass.run(view, frame.settings.primary);
     picture.show(view, frame, motionPass.previousPositions(), target);
   } catch (...) {
@@ -234,10 +256,12 @@ void Renderer::Impl::finish(const Target& target) {
   api.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   std::vector<std::string> warnings = scene.warnings;
   warnings.insert(warnings.end(), shadowWarnings.begin(), shadowWarnings.end());
-  if (scene.layeredMaterials > 0 && !effect->showsLayers())
-    warnings.push_back(std::to_string(scene.layeredMaterials) +
-                       " material(s) transmit light or have a coat, which only the effects whitted and path show "
-                       "(trace.effect)");
+  if (scene.clearMaterials > 0 && !effect->showsClear())
+    warnings.push_back(std::to_string(scene.clearMaterials) +
+                       " material(s) transmit light, which only the effects whitted and path show (trace.effect)");
+  if (scene.coatedMaterials > 0 && !effect->showsCoats())
+    warnings.push_back(std::to_string(scene.coatedMaterials) +
+                       " material(s) have a clear coat, which the effect layers does not show (trace.effect)");
   if (scene.blendingMaterials > 0 && frame.host.blends == 0)
     warnings.push_back(std::to_string(scene.blendingMaterials) +
                        " material(s) with alphaMode BLEND are cut out where texture alpha times vertex alpha is below "
@@ -248,6 +272,10 @@ void Renderer::Impl::finish(const Target& target) {
   held.shadowMaps = shadows.bytes();
   held.geometry += motionPass.bytes() + (rig ? rig->bytes() : 0);
   held.pictures = picture.bytes() + effect->bytes() + shadowMarkPass.bytes();
+  if (screen) {
+    const TracerMemory memory = screen->memory();
+    held.pictures += memory.structureTotal + memory.transient;
+  }
   held.peak = held.geometry + held.textures + held.shadowMaps + held.pictures;
   for (const Frame& each : frames) {
     held.queues += each.bytes() - each.gbuffer.bytes();

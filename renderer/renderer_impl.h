@@ -67,6 +67,7 @@ struct Renderer::Impl {
   std::vector<std::string> shadowWarnings;
   std::unique_ptr<Tracer> tracer;
   std::optional<Settings> tracerSettings;  // of the tracer, which is null for "none"
+  std::unique_ptr<Tracer> screen;          // of what the screen shows, for effects that look at it
   std::uint32_t tracedBlends = 0;          // FrameConstants::blends of its last frame
 
   // A frame under way, and its figures.
@@ -101,7 +102,8 @@ struct Renderer::Impl {
   std::uint32_t maxRays(const Settings& wanted) const;
   void submitBatch(const FrameView& view, Frame& frame, std::size_t number);
   void finishBatch(const FrameView& view, Frame& frame, std::size_t number);
-  LightRays::Trace tracing(const FrameView& view);
+  LightRays::Trace tracing(const FrameView& view, const Frame& frame);
+  void lookAtScreen(const FrameView& view, Frame& frame);
   void runPass(const FrameView& view, Frame& frame, RayBatch& batch, RayStep step);
   void begin(const Camera& camera, const Settings& wanted, int width, int height,
              const std::optional<std::uint32_t>& sample = {});

@@ -63,10 +63,9 @@ double coverage(const FrameReport& report) {
   return report.pixels ? static_cast<double>(report.selected) / static_cast<double>(report.pixels) : 0;
 }
 
-// Names of FrameReport::rays, of the kinds that there are.
-constexpr std::array kRayNames{"reflection", "refraction", "shadow",    "occlusion",
-                               "scattered",  "through",    "by_screen", "by_structure"};
-constexpr std::size_t kByScreen = 6, kByStructure = 7;  // who has answered, of trace.method=screen-first
+// FrameReport::rays, behind the kinds: those that the screen has answered, of trace.method=screen-first and of
+// effect.glossy, and those of the first that it left to the structure.
+constexpr std::size_t kByScreen = 6, kByStructure = 7;
 
 // null: no such limit was given.
 Json budgetJson(const BudgetSummary& budget) {
@@ -92,10 +91,10 @@ std::string budgetLine(const BudgetSummary& budget, const FrameReport& report) {
   std::string limits;
   if (std::isfinite(budget.limits.milliseconds)) limits += format("%g ms", budget.limits.milliseconds);
   if (std::isfinite(budget.limits.bytes))
+    limits += format(limits.empty() ? "%g MB" : " and %g MB", budget.limits.bytes / 1e6);
   if (budget.raysPerPixel)
     return format("budget      %s: met in %zu of %zu frames; %d of %d rays per pixel\n", limits.c_str(), budget.held,
                   budget.frames, budget.raysPerPixel->first, budget.raysPerPixel->second);
-    limits += format(limits.empty() ? "%g MB" : " and %g MB", budget.limits.bytes / 1e6);
   return format(
       "budget      %s: met in %zu of %zu frames; dropped %llu of %llu pixels, contributions up to about %.4f\n",
       limits.c_str(), budget.held, budget.frames, static_cast<unsigned long long>(budget.dropped),
@@ -224,13 +223,13 @@ Json toJson(const Comparison& comparison) {
     json["false_hit"] = comparison.layers->falseHit;
     json["wrong_id"] = comparison.layers->wrongId;
     json["selected_mismatch"] = comparison.layers->selectedMismatch;
+    json["overflow"] = comparison.layers->overflow;
     for (const KindComparison& kind : comparison.layers->kinds)
       json["kinds"][kind.kind] = {{"rays", kind.rays},
                                   {"unmatched", kind.unmatched},
                                   {"false_occlusion", kind.falseOcclusion},
                                   {"false_visibility", kind.falseVisibility},
                                   {"wrong_distance", kind.wrongDistance}};
-    json["overflow"] = comparison.layers->overflow;
   }
   return json;
 }
@@ -253,7 +252,7 @@ std::string toTable(const RunStatistics& s) {
   table += format("coverage    %.2f %% of the pixels traced (%llu of %llu)\n", 100 * coverage(s.report),
                   static_cast<unsigned long long>(s.report.selected), static_cast<unsigned long long>(s.report.pixels));
   const std::uint64_t byScreen = s.report.rays[kByScreen], byStructure = s.report.rays[kByStructure];
-  if (byScreen + byStructure > 0)
+  if (s.settings.trace.method == "screen-first" && byScreen + byStructure > 0)
     table += format("answered    %.2f %% of the rays by the screen, the others by the structure\n",
                     100 * static_cast<double>(byScreen) / static_cast<double>(byScreen + byStructure));
   if (s.budget) table += budgetLine(*s.budget, s.report);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 
 #include <halfsilver/frame_view.h>
@@ -25,10 +26,15 @@ struct RayStep {
   int batch = 0;
 };
 
+// Has a queue answered, in hits that it makes room for.
+using AnswerQueue = std::function<void(const RayQueue& rays, Hits& hits)>;
+
 // An effect turns a G-buffer into rays and their hits into light: one folder under effects/ each, on any Tracer. Rays
 // of one frame come in several batches if a storage block cannot hold what belongs to all; each goes through
 //
 //   spawn(), measure(), then per pass and generation: Tracer::trace() and shade(), then resolve().
+//
+// When all are through, lookAtScreen() may follow.
 //
 // Every call binds what its shaders read and starts from no state.
 class RayEffect {
@@ -49,8 +55,9 @@ class RayEffect {
   virtual bool usesLightRays() const { return false; }
   // Whether it asks GBuffer::shadowMarks which lights of a pixel need no rays (shadow.method = refined).
   virtual bool readsShadowMarks() const { return false; }
-  // Whether surfaces that transmit or have a coat look so.
-  virtual bool showsLayers() const { return false; }
+  // Whether surfaces that transmit, or that have a coat, look so.
+  virtual bool showsClear() const { return false; }
+  virtual bool showsCoats() const { return false; }
   // Whether first rays are the camera's, which firstHits() answers; otherwise a tracer does.
   virtual bool startsAtCamera() const { return false; }
 
@@ -80,6 +87,10 @@ class RayEffect {
   // Brings the light of a batch to the pixels. `first` is the queue that spawn() filled.
   virtual void resolve(const FrameView& view, const Settings& settings, const RayQueue& first, const RayPasses& passes,
                        int batch, EffectFrame& frame, GBuffer& gbuffer) = 0;
+
+  // Whether it then looks at the screen: `screen` knows what the camera sees, and nothing else.
+  virtual bool looksAtScreen(const Settings&) const { return false; }
+  virtual void lookAtScreen(const FrameView&, const AnswerQueue& /*screen*/, EffectFrame&, GBuffer&) {}
 
   // Of what it keeps from frame to frame.
   virtual std::uint64_t bytes() const { return 0; }

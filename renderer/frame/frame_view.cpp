@@ -12,14 +12,18 @@ void FrameView::bindRays(const RayQueue& queue) const {
   gbuffer.visibility.bind(UNIT_VISIBILITY);
 }
 
+void FrameView::bindCoat() const { (gbuffer.coat ? gbuffer.coat : gbuffer.normal).bind(UNIT_COAT); }
+
 void FrameView::bindPixelLight() const {
   constants.bindUniform(UBO_FRAME);
   gbuffer.shaded.bind(UNIT_SHADED);
   gbuffer.reflection.bind(UNIT_REFLECTION);
+  (gbuffer.seen ? gbuffer.seen : gbuffer.reflection).bind(UNIT_SEEN);
   scene.sky.bind(UNIT_SKY);
   gbuffer.position.bind(UNIT_POSITION);
   gbuffer.normal.bind(UNIT_NORMAL);
   gbuffer.material.bind(UNIT_MATERIAL);
+  bindCoat();
 }
 
 }  // namespace halfsilver

@@ -111,13 +111,14 @@ void uploadMaterials(const gl::Api& api, GpuScene& gpu, const Scene& scene, std:
     materials.push_back(packMaterial(scene.materials[m], holes[m], alphas.places[m], gpu.textureLocations));
     if (holes[m]) cut.push_back(materials.back());
   }
-  gpu.layeredMaterials = static_cast<std::uint32_t>(
-      std::count_if(materials.begin(), materials.end(), [](const shared::GpuMaterial& material) {
-        return (material.flags & (MATERIAL_TRANSMISSIVE | MATERIAL_COATED)) != 0;
-      }));
-  gpu.lobes = std::any_of(materials.begin(), materials.end(), [](const shared::GpuMaterial& material) {
-    return (material.flags & (MATERIAL_SHEEN | MATERIAL_ANISOTROPIC)) != 0;
-  });
+  const auto countFlags = [&materials](std::uint32_t flags) {
+    return static_cast<std::uint32_t>(
+        std::count_if(materials.begin(), materials.end(),
+                      [flags](const shared::GpuMaterial& material) { return (material.flags & flags) != 0; }));
+  };
+  gpu.clearMaterials = countFlags(MATERIAL_TRANSMISSIVE);
+  gpu.coatedMaterials = countFlags(MATERIAL_COATED);
+  gpu.lobes = countFlags(MATERIAL_SHEEN | MATERIAL_ANISOTROPIC) > 0;
   constexpr float kLargestHalf = 65504;
   gpu.beyondHalf = std::any_of(materials.begin(), materials.end(), [](const shared::GpuMaterial& material) {
     return std::max({material.emissive.r, material.emissive.g, material.emissive.b}) > kLargestHalf;

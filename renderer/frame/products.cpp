@@ -35,8 +35,8 @@ void ShadowMaps::bind() const {
 
 std::size_t GBuffer::bytes() const {
   std::size_t sum = 0;
-  for (const gl::Texture* texture : {&depth, &visibility, &position, &normal, &baseColor, &material, &emissive, &shaded,
-                                     &reflection, &motion, &shadowMarks, &tested, &sheen, &anisotropy})
+  for (const gl::Texture* texture : {&depth, &visibility, &position, &normal, &baseColor, &material, &emissive, &lobes,
+                                     &coat, &shaded, &reflection, &seen, &motion, &shadowMarks, &tested})
     sum += texture->bytes();
   return sum;
 }
@@ -48,9 +48,8 @@ void GBuffer::bindSurface() const {
   material.bind(UNIT_MATERIAL);
   emissive.bind(UNIT_EMISSIVE);
   visibility.bind(UNIT_VISIBILITY);
-  if (!sheen) return;
-  sheen.bind(UNIT_SHEEN);
-  anisotropy.bind(UNIT_ANISOTROPY);
+  (coat ? coat : normal).bind(UNIT_COAT);
+  if (lobes) lobes.bind(UNIT_LOBES);
 }
 
 }  // namespace halfsilver

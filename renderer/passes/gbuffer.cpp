@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kTile = 8;
 
-GBuffer allocate(const gl::Api& api, int width, int height, GLenum emissive, bool lobes) {
+GBuffer allocate(const gl::Api& api, int width, int height, GLenum emissive) {
   const auto texture = [&](GLenum format, const char* label) {
     return gl::Texture(api, {GL_TEXTURE_2D, format, width, height, 1, 1}, label);
   };
@@ -25,10 +25,6 @@ GBuffer allocate(const gl::Api& api, int width, int height, GLenum emissive, boo
   buffer.baseColor = texture(GL_RGBA16F, "base color");
   buffer.material = texture(GL_RGBA16F, "material");
   buffer.emissive = texture(emissive, "emissive");
-  if (lobes) {
-    buffer.sheen = texture(GL_RGBA16F, "sheen");
-    buffer.anisotropy = texture(GL_RGBA16F, "anisotropy");
-  }
   buffer.shaded = texture(GL_RGBA32F, "shaded");
   buffer.reflection = texture(GL_RGBA32F, "reflection");
   buffer.signature = gl::Buffer(api, sizeof(buffer.number), "signature");
@@ -43,22 +39,29 @@ bool hasRules(const PrimarySettings& primary) { return primary.hits == PrimaryHi
 GBufferPass::GBufferPass(const gl::Api& api)
     : api_(&api),
       opaque_(gl::Program::raster(api, "passes/visibility.vert", "passes/visibility.frag")),
-      resolve_(api, "passes/gbuffer.comp"),
       framebuffer_(api),
       vertexArray_(api) {
   const gl::Define cut[] = {{"ALPHA_TEST"}};
+  resolve_[0][0].emplace(api, "passes/gbuffer.comp");
   cut_ = gl::Program::raster(api, "passes/visibility.vert", "passes/visibility.frag", cut);
 }
 
 void GBufferPass::run(const FrameView& view, GBuffer& out, const PrimarySettings& primary) {
   const auto width = static_cast<int>(view.frame.width), height = static_cast<int>(view.frame.height);
   const GLenum emissive = view.scene.beyondHalf ? GL_RGBA32F : GL_RGBA16F;
-  const bool lobes = view.scene.lobes;
-  if (out.width != width || out.height != height || out.emissive.shape().format != emissive ||
-      static_cast<bool>(out.sheen) != lobes) {
+  if (out.width != width || out.height != height || out.emissive.shape().format != emissive) {
     out = GBuffer{};  // the old memory goes before the new comes
-    out = allocate(*api_, width, height, emissive, lobes);
+    out = allocate(*api_, width, height, emissive);
   }
+  const auto keepIf = [&](bool wanted, GLenum format, const char* label, gl::Texture& texture) {
+    if (!wanted)
+      texture = gl::Texture();
+    else if (!texture)
+      texture = gl::Texture(*api_, {GL_TEXTURE_2D, format, width, height, 1, 1}, label);
+  };
+  keepIf(view.scene.lobes, GL_RGBA32UI, "sheen and anisotropy", out.lobes);
+  keepIf(view.frame.coats != 0, GL_RGBA32F, "coats", out.coat);
+  keepIf(view.frame.glossySamples != 0, GL_RGBA32F, "seen by rough surfaces", out.seen);
   const auto section = view.profiler.section("gbuffer");
   rasterize(view, out);
   resolve(view, out, primary);
@@ -93,11 +96,13 @@ void GBufferPass::rasterize(const FrameView& view, const GBuffer& out) const {
 }
 
 const gl::Program& GBufferPass::resolving(const FrameView& view, const PrimarySettings& primary) {
-  if (!hasRules(primary)) return resolve_.of(view.scene);
-  const bool tested = primary.hits == PrimaryHits::tested;
-  std::optional<SurfacePrograms>& programs = ruled_[tested ? 1 + static_cast<std::size_t>(primary.multisampling) : 0];
+  const bool coats = view.frame.coats != 0, ruled = hasRules(primary), tested = primary.hits == PrimaryHits::tested;
+  const std::size_t rules = !ruled ? 0 : !tested ? 1 : 2 + static_cast<std::size_t>(primary.multisampling);
+  std::optional<SurfacePrograms>& programs = resolve_[coats][rules];
   if (!programs) {
-    std::vector<gl::Define> defines{{"PRIMARY_RULES"}};
+    std::vector<gl::Define> defines;
+    if (coats) defines.push_back({"COATS"});
+    if (ruled) defines.push_back({"PRIMARY_RULES"});
     if (tested) defines.push_back({"TEST_HITS"});
     if (tested && primary.multisampling != Multisampling::none)
       defines.push_back({primary.multisampling == Multisampling::lazy ? "LAZY" : "FULL"});
@@ -138,10 +143,8 @@ void GBufferPass::resolve(const FrameView& view, GBuffer& out, const PrimarySett
   out.baseColor.bindImage(IMAGE_BASE_COLOR, GL_WRITE_ONLY);
   out.material.bindImage(IMAGE_MATERIAL, GL_WRITE_ONLY);
   out.emissive.bindImage(IMAGE_EMISSIVE, GL_WRITE_ONLY);
-  if (out.sheen) {
-    out.sheen.bindImage(IMAGE_SHEEN, GL_WRITE_ONLY);
-    out.anisotropy.bindImage(IMAGE_ANISOTROPY, GL_WRITE_ONLY);
-  }
+  if (out.lobes) out.lobes.bindImage(IMAGE_LOBES, GL_WRITE_ONLY);
+  if (out.coat) out.coat.bindImage(IMAGE_COAT, GL_WRITE_ONLY);
   gl.DispatchCompute(static_cast<GLuint>((out.width + kTile - 1) / kTile),
                      static_cast<GLuint>((out.height + kTile - 1) / kTile), 1);
   // This dispatch writes the G-buffer's images; selection, shading and the layers' read-back fetch them. The signature

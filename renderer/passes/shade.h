@@ -6,7 +6,8 @@
 namespace halfsilver {
 
 // Deferred shading, section "shade": writes GBuffer::shaded, the radiance of every pixel without its reflection, with
-// the visible share of the sky in alpha, and empties GBuffer::reflection. Pixels without a surface show the sky. With
+// the visible share of the sky in alpha, and empties GBuffer::reflection and
+// GBuffer::seen. Pixels without a surface show the sky. With
 // GBuffer::shadowMarks, lights that are in doubt at a pixel are left out there.
 class ShadePass {
  public:
@@ -16,7 +17,8 @@ class ShadePass {
 
  private:
   const gl::Api* api_;
-  gl::Program programs_[2][2];  // [with marks][GpuScene::lobes], all but the first made on first use
+  // [with marks][GpuScene::lobes][with coats]; that without is made at once, the others on first use
+  gl::Program programs_[2][2][2];
 };
 
 }  // namespace halfsilver

@@ -7,10 +7,10 @@ layout(binding = UNIT_BASE_COLOR) uniform sampler2D gBaseColor;
 layout(binding = UNIT_MATERIAL) uniform sampler2D gMaterial;
 layout(binding = UNIT_EMISSIVE) uniform sampler2D gEmissive;
 #ifdef LOBES
-layout(binding = UNIT_SHEEN) uniform sampler2D gSheen;
-layout(binding = UNIT_ANISOTROPY) uniform sampler2D gAnisotropy;
+layout(binding = UNIT_LOBES) uniform usampler2D gLobes;
 #endif
 layout(binding = UNIT_VISIBILITY) uniform usampler2D gVisibility;
+layout(binding = UNIT_COAT) uniform sampler2D gCoat;  // see lib/coat.glsl
 
 // Of gNormal: whether the pixel's ray goes on behind its surface, and the surface's alpha.
 bool goesOn(vec4 normal) { return normal.w < 0.0; }

@@ -1,4 +1,5 @@
 // The surface of a pixel, from the G-buffer.
+#include "lib/coat.glsl"
 #include "lib/gbuffer.glsl"
 #include "lib/surface.glsl"
 #include "lib/triangles.glsl"
@@ -27,11 +28,26 @@ Surface surfaceOfPixel(ivec2 pixel, vec3 position) {
   s.unlit = material.a < 0.0;
   leaveOutLayers(s);
 #ifdef LOBES
-  vec4 sheen = texelFetch(gSheen, pixel, 0), anisotropy = texelFetch(gAnisotropy, pixel, 0);
-  s.sheenColor = sheen.rgb;
-  s.sheenRoughness = sheen.a;
-  s.anisotropyDirection = anisotropy.xyz;
-  s.anisotropy = anisotropy.w;
+  uvec4 lobes = texelFetch(gLobes, pixel, 0);
+  vec2 blueAndRoughness = unpackHalf2x16(lobes.y), depthAndStrength = unpackHalf2x16(lobes.w);
+  s.sheenColor = vec3(unpackHalf2x16(lobes.x), blueAndRoughness.x);
+  s.sheenRoughness = blueAndRoughness.y;
+  s.anisotropyDirection = vec3(unpackHalf2x16(lobes.z), depthAndStrength.x);
+  s.anisotropy = depthAndStrength.y;
+#endif
+#ifdef COATS
+  vec4 coat = texelFetch(gCoat, pixel, 0);
+  if (coat.z != 0.0) {
+    bool ofCoat = coat.z < 0.0;
+    vec3 other = fromOctahedral(coat.xy);
+    s.coat = abs(coat.z);
+    s.coatNormal = ofCoat ? s.normal : other;
+    s.coatRoughness = ofCoat ? s.roughness : coat.w;
+    if (ofCoat) {
+      s.normal = other;
+      s.roughness = coat.w;
+    }
+  }
 #endif
   return s;
 }

@@ -3,6 +3,7 @@
 // A kind of light is a range of the list with a loop of its own: first what a light can do at most is found for all of
 // the range, then those that can light the surface are worked off, so that neighbors with few of them are done early.
 #include "lib/brdf.glsl"
+#include "lib/coat.glsl"
 #include "lib/shadow_maps.glsl"
 
 // Bits of a mask of lights.
@@ -42,7 +43,20 @@ bool mayLight(uint light, Surface s) {
   vec3 toLight = positional ? positionRange.xyz - s.position : -directionType.xyz;
   float range = positional ? positionRange.w : 0.0;
   bool reaches = range <= 0.0 || dot(toLight, toLight) < range * range;
-  return reaches && dot(s.normal, toLight) > 0.0 && dot(s.geometricNormal, toLight) > 0.0;
+  bool faces = dot(s.normal, toLight) > 0.0;
+#ifdef COATS
+  faces = faces || s.coat > 0.0 && dot(s.coatNormal, toLight) > 0.0;
+#endif
+  return reaches && faces && dot(s.geometricNormal, toLight) > 0.0;
+}
+
+// Reflected radiance for unit irradiance across the light's direction, cosine included.
+vec3 shadeBy(Surface s, vec3 toEye, vec3 toLight) {
+#ifdef COATS
+  return shadeCoated(s, toEye, toLight);
+#else
+  return shadeLight(s, toEye, toLight);
+#endif
 }
 
 // A direct light as a surface sees it.
@@ -83,7 +97,7 @@ ReachedBy reachedBy(uint light, Surface s) {
 
 vec3 directLight(uint light, Surface s, vec3 toEye) {
   ReachedBy by = reachedBy(light, s);
-  return by.lit > 0.0 ? by.color * by.lit * shadeLight(s, toEye, by.toLight) : vec3(0.0);
+  return by.lit > 0.0 ? by.color * by.lit * shadeBy(s, toEye, by.toLight) : vec3(0.0);
 }
 
 vec3 directRadiance(Surface s, vec3 toEye) {
@@ -166,7 +180,14 @@ vec4 ambientLighting(Surface s, vec3 toEye) {
 // The same with what the surface emits and the direct lights that have shadow maps; effects/light_rays adds the others.
 vec4 directLighting(Surface s, vec3 toEye) {
   if (s.unlit) return vec4(s.baseColor, 1.0);
+#ifdef COATS
+  vec3 radiance = directRadiance(s, toEye);
+  vec4 ambient = ambientLighting(s, toEye);
+  vec3 kept = s.coat > 0.0 ? coatBlend(s, toEye).base : vec3(1.0);
+  return vec4(radiance + kept * (s.emissive + ambient.rgb), ambient.a);
+#else
   vec3 radiance = s.emissive + directRadiance(s, toEye);
   vec4 ambient = ambientLighting(s, toEye);
   return vec4(radiance + ambient.rgb, ambient.a);
+#endif
 }

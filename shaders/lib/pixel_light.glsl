@@ -1,4 +1,5 @@
 // The light of a pixel: deferred shading and reflection, blended.
+#define WITH_SEEN
 #include "lib/blend.glsl"
 
 layout(binding = UNIT_REFLECTION) uniform sampler2D gReflection;

@@ -1,7 +1,8 @@
-// From triangle numbers to surfaces, one per pixel. With PRIMARY_RULES see primary_hit.glsl.
+// From triangle numbers to surfaces, one per pixel. With PRIMARY_RULES see primary_hit.glsl, with COATS lib/coat.glsl.
 #include "lib/triangle_point.glsl"
 #include "lib/evaluate_surface.glsl"
 #include "shared/passes/gbuffer.h"
+#include "lib/coat.glsl"
 #ifdef PRIMARY_RULES
 #include "passes/primary_hit.glsl"
 #endif
@@ -17,8 +18,13 @@ layout(rgba16f, binding = IMAGE_BASE_COLOR) uniform writeonly image2D baseColorI
 layout(rgba16f, binding = IMAGE_MATERIAL) uniform writeonly image2D materialImage;
 layout(binding = IMAGE_EMISSIVE) uniform writeonly image2D emissiveImage;
 #ifdef LOBES
-layout(rgba16f, binding = IMAGE_SHEEN) uniform writeonly image2D sheenImage;
-layout(rgba16f, binding = IMAGE_ANISOTROPY) uniform writeonly image2D anisotropyImage;
+layout(rgba32ui, binding = IMAGE_LOBES) uniform writeonly uimage2D lobesImage;
+#endif
+#ifdef COATS
+layout(rgba32f, binding = IMAGE_COAT) uniform writeonly image2D coatImage;
+const uint READ_TEXTURES = ALL_TEXTURES;
+#else
+const uint READ_TEXTURES = BASE_TEXTURES;
 #endif
 
 // Proves to the host that the device has run this frame.
@@ -30,6 +36,9 @@ void main() {
   if (pixel == ivec2(0)) signature = number;
   if (any(greaterThanEqual(pixel, ivec2(frame.width, frame.height)))) return;
   vec4 position = vec4(0.0), normal = vec4(0.0), baseColor = vec4(0.0), material = vec4(0.0), emissive = vec4(0.0);
+#ifdef COATS
+  vec4 coat = vec4(0.0);
+#endif
 #ifdef PRIMARY_RULES
   PrimaryHit hit = primaryHit(pixel);
   uint visible = hit.visible;
@@ -41,7 +50,7 @@ void main() {
     TrianglePoint point = pointOnTriangle(visible - 1u, pixelOrigin(pixel), pixelRay(pixel));
     float range = length(point.relative);
     Surface s = evaluateSurface(visible - 1u, point.barycentrics, normalize(point.relative), coneWidth(range),
-                                BASE_TEXTURES);
+                                READ_TEXTURES);
     position = vec4(point.position, dot(point.relative, frame.forward));
     bool goesOn = frame.blends != 0u && frame.allLight == 0u && s.alpha < 1.0;
     normal = vec4(s.normal, goesOn ? -s.alpha : s.reflectivity);
@@ -49,10 +58,23 @@ void main() {
     material = vec4(s.f0, s.unlit ? -1.0 : s.roughness);
     emissive = vec4(s.emissive, s.metallic);
 #ifdef LOBES
-    imageStore(sheenImage, pixel, vec4(s.sheenColor, s.sheenRoughness));
-    imageStore(anisotropyImage, pixel, vec4(s.anisotropyDirection, s.anisotropy));
+    imageStore(lobesImage, pixel,
+               uvec4(packHalf2x16(s.sheenColor.rg), packHalf2x16(vec2(s.sheenColor.b, s.sheenRoughness)),
+                     packHalf2x16(s.anisotropyDirection.xy), packHalf2x16(vec2(s.anisotropyDirection.z, s.anisotropy))));
+#endif
+#ifdef COATS
+    if (s.coat > 0.0 && !s.unlit) {
+      bool ofCoat = coatBlend(s, -normalize(fromCamera(position.xyz))).ofCoat;
+      coat = vec4(octahedral(ofCoat ? s.normal : s.coatNormal), ofCoat ? -s.coat : s.coat,
+                  ofCoat ? s.roughness : s.coatRoughness);
+      normal = vec4(ofCoat ? s.coatNormal : s.normal, goesOn ? normal.w : followedReflectivity(s, ofCoat));
+      if (ofCoat) material.a = s.coatRoughness;
+    }
 #endif
   }
+#ifdef COATS
+  imageStore(coatImage, pixel, coat);
+#endif
   imageStore(positionImage, pixel, position);
   imageStore(normalImage, pixel, normal);
   imageStore(baseColorImage, pixel, baseColor);

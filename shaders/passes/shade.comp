@@ -1,5 +1,5 @@
 // Deferred shading: direct light and sky light of every pixel, without reflections. With SHADOW_MARKS lights that are
-// in doubt at a pixel are left to rays, and the others are what the marks say.
+// in doubt at a pixel are left to rays, and the others are what the marks say. With COATS see lib/coat.glsl.
 #include "lib/gbuffer_surface.glsl"
 #include "lib/lights.glsl"
 #include "lib/sky.glsl"
@@ -21,7 +21,7 @@ vec3 undoubtedRadiance(ivec2 pixel, Surface s, vec3 toEye) {
     uint pending = marks.x & ~marks.y;
     while (pending != 0u) {
       ReachedBy by = reachedBy(first + takeLight(pending), s);
-      radiance += by.color * shadeLight(s, toEye, by.toLight);
+      radiance += by.color * shadeBy(s, toEye, by.toLight);
     }
   }
   return radiance;
@@ -41,6 +41,14 @@ void main() {
   vec4 lit = directLighting(s, toEye);
 #ifdef SHADOW_MARKS
   if (!s.unlit) lit.rgb += undoubtedRadiance(pixel, s, toEye);
+#endif
+#ifdef COATS
+  // Of the mirror that rays do not follow; the blend adds the other.
+  if (s.coat > 0.0) {
+    CoatBlend b = coatBlend(s, toEye);
+    lit.rgb += (b.ofCoat ? b.skyInBase * skyRadiance(reflect(-toEye, s.normal), s.roughness)
+                         : b.skyInCoat * skyRadiance(reflect(-toEye, s.coatNormal), s.coatRoughness)) * lit.a;
+  }
 #endif
   imageStore(shaded, pixel, lit);
 }

@@ -33,10 +33,11 @@
 #define UNIT_MATERIAL 13
 #define UNIT_EMISSIVE 14
 #define UNIT_VISIBILITY 15
-#define UNIT_SHEEN 24
-#define UNIT_ANISOTROPY 25
+#define UNIT_COAT 19
+#define UNIT_LOBES 24
 // Its lit layers, in passes that blend; those read no material textures.
 #define UNIT_SHADED 0
 #define UNIT_REFLECTION 1
+#define UNIT_SEEN 7
 
 #endif

@@ -173,6 +173,8 @@ struct FrameConstants {
   float drawnNear;  // nearer surfaces are not seen, meters
   uint parallel;    // 1: all rays of the camera go along `forward`; right and up are half the picture, in meters
   uint rayRules;    // what else decides which rays there are: of PrimarySettings and ShadowSettings
+  uint coats;       // 1: clear coats have a lobe of their own, see lib/coat.glsl
+  uint padding[3];
 };
 
 #endif

@@ -182,13 +182,13 @@ TEST_F(LobesTest, OnlyScenesThatHaveThemPayForThem) {
   const Scene sheen = plate(cloth(vec3(0), vec3(1), 0.5f), {0, -1, 0}, 1);
   const Camera camera = lookAt({0, 2, 1}, {0, 0, 0});
   draw(plain, camera, 16, 16);
-  EXPECT_FALSE(gbuffer.sheen);
+  EXPECT_FALSE(gbuffer.lobes);
   const std::size_t bytes = gbuffer.bytes();
   draw(sheen, camera, 16, 16);
-  EXPECT_TRUE(gbuffer.sheen);
+  EXPECT_TRUE(gbuffer.lobes);
   EXPECT_EQ(gbuffer.bytes(), bytes + std::size_t{16} * 16 * 16);
   draw(plain, camera, 16, 16);
-  EXPECT_FALSE(gbuffer.sheen);
+  EXPECT_FALSE(gbuffer.lobes);
   EXPECT_EQ(gbuffer.bytes(), bytes);
 }
 

@@ -13,7 +13,7 @@ namespace {
 bool extended(const Light& light) { return light.type == LightType::rectangle || light.type == LightType::sphere; }
 
 int generations(const FrameView& view) {
-  return view.scene.layeredMaterials > 0 || view.frame.blends != 0 ? 1 + kPassedSurfaces : 1;
+  return view.scene.clearMaterials > 0 || view.frame.blends != 0 ? 1 + kPassedSurfaces : 1;
 }
 
 // Surfaces that send rays at once: pixels of a band, or rays of a batch.
@@ -87,12 +87,13 @@ void LightRays::lightPixels(const FrameView& view, std::span<const Light> lights
                             LightRayFrame& frame) {
   if (lights.empty()) return;
   const GBuffer& gbuffer = view.gbuffer;
-  const bool marked = static_cast<bool>(gbuffer.shadowMarks);
-  gl::Program& fromPixels = fromPixels_[marked][view.scene.lobes];
+  const bool marked = static_cast<bool>(gbuffer.shadowMarks), coats = view.frame.coats != 0;
+  gl::Program& fromPixels = fromPixels_[marked][view.scene.lobes][coats];
   if (!fromPixels) {
     std::vector<gl::Define> defines;
     if (marked) defines.push_back({"SHADOW_MARKS"});
     if (view.scene.lobes) defines.push_back({"LOBES"});
+    if (coats) defines.push_back({"COATS"});
     fromPixels = gl::Program::compute(*api_, "effects/light_rays/from_pixels.comp", defines);
   }
   if (!add_) add_ = gl::Program::compute(*api_, "effects/light_rays/add.comp");
@@ -140,12 +141,13 @@ void LightRays::lightHits(const FrameView& view, std::span<const Light> lights, 
   if (step.generation == 0) effect.directLight.fill(0);
   if (lights.empty()) return;
 
-  const bool ofPixels = rays.ofPixels(), surfaces = static_cast<bool>(hits.surfaces);
-  std::optional<SurfacePrograms>& programs = fromHits_[ofPixels][surfaces];
+  const bool ofPixels = rays.ofPixels(), surfaces = static_cast<bool>(hits.surfaces), coats = view.frame.coats != 0;
+  std::optional<SurfacePrograms>& programs = fromHits_[ofPixels][surfaces][coats];
   if (!programs) {
     std::vector<gl::Define> defines;
     if (ofPixels) defines.push_back({"PIXEL_QUEUE"});
     if (surfaces) defines.push_back({"HIT_SURFACES"});
+    if (coats) defines.push_back({"COATS"});
     programs.emplace(*api_, "effects/light_rays/from_hits.comp", std::move(defines));
   }
   const gl::Program& program = programs->of(view.scene);

@@ -17,7 +17,8 @@ class OcclusionEffect final : public CameraEffect {
   int batches(const FrameView& view, const Settings& settings, std::uint32_t maxRays) const override;
   // The camera's surfaces, what their rays find, and what is behind surfaces that blend.
   int generations(const Settings&, bool blends) const override { return blends ? 2 + kPassedSurfaces : 2; }
-  bool showsLayers() const override { return true; }  // it shows no materials at all
+  bool showsClear() const override { return true; }  // it shows no materials at all
+  bool showsCoats() const override { return true; }
   bool asksForAnyHit(int generation, bool blends) const override { return generation > 0 && !blends; }
   // Section "shade".
   void shade(const FrameView& view, const Settings& settings, const RayQueue& rays, const Hits& hits,

@@ -20,7 +20,8 @@ class PathEffect final : public CameraEffect {
   int generations(const Settings& settings, bool blends) const override {
     return settings.trace.bounces + 2 + (blends ? kPassedSurfaces : 0);
   }
-  bool showsLayers() const override { return true; }
+  bool showsClear() const override { return true; }
+  bool showsCoats() const override { return true; }
   // Section "shade".
   void shade(const FrameView& view, const Settings& settings, const RayQueue& rays, const Hits& hits,
              const RayStep& step, RayQueue* next, EffectFrame& frame) override;

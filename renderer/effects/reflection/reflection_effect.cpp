@@ -6,12 +6,15 @@
 #include <utility>
 #include <vector>
 
+#include "shared/passes/look.h"
 #include "shared/passes/resolve.h"
 #include "shared/passes/shade_hits.h"
 #include "shared/passes/spawn.h"
 
 namespace halfsilver {
 namespace {
+
+constexpr std::uint32_t kScreenRaysAtOnce = 1u << 20;  // of a band
 
 void reserveFrame(const gl::Api& api, std::uint32_t rays, EffectFrame& frame) {
   if (frame.slots.bytes() < rays * sizeof(shared::Radiance)) {
@@ -31,18 +34,20 @@ ReflectionEffect::ReflectionEffect(const gl::Api& api)
       count_(api),
       resolve_(gl::Program::compute(api, "effects/reflection/resolve.comp")) {}
 
-const gl::Program& ReflectionEffect::shading(const GpuScene& scene, bool first, bool ofPixels, bool surfaces,
+const gl::Program& ReflectionEffect::shading(const FrameView& view, bool first, bool ofPixels, bool surfaces,
                                              bool next) {
-  std::optional<SurfacePrograms>& programs = shade_[first][ofPixels][surfaces][next];
+  const bool coats = view.frame.coats != 0;
+  std::optional<SurfacePrograms>& programs = shade_[first][ofPixels][surfaces][next][coats];
   if (!programs) {
     std::vector<gl::Define> defines;
     if (first) defines.push_back({"FIRST_GENERATION"});
     if (ofPixels) defines.push_back({"PIXEL_QUEUE"});
     if (surfaces) defines.push_back({"HIT_SURFACES"});
     if (next) defines.push_back({"NEXT_BOUNCE"});
+    if (coats) defines.push_back({"COATS"});
     programs.emplace(*api_, "effects/reflection/shade.comp", std::move(defines));
   }
-  return programs->of(scene);
+  return programs->of(view.scene);
 }
 
 void ReflectionEffect::spawn(const FrameView& view, int batch, int batches, RayQueue& out, EffectFrame& frame) {
@@ -67,6 +72,7 @@ void ReflectionEffect::scatter(const FrameView& view, const RayQueue& pixels, Ra
   scatter_.use();
   view.bindRays(pixels);
   view.gbuffer.material.bind(UNIT_MATERIAL);
+  view.bindCoat();
   out.rays.bindStorage(SSBO_NEXT_RAYS);
   out.paths.bindStorage(SSBO_NEXT_PATHS);
   out.count.bindStorage(SSBO_NEXT_COUNT);
@@ -97,16 +103,20 @@ void ReflectionEffect::spawnPixels(const FrameView& view, const Band& band, int 
   out.count.bindStorage(SSBO_RAY_COUNT);
   gbuffer.position.bind(UNIT_POSITION);
   gbuffer.normal.bind(UNIT_NORMAL);
-  if (byContribution) bindShaded(view, frame);
+  if (byContribution) {
+    frame.contributions.counts.bindStorage(SSBO_CONTRIBUTIONS);
+    bindShaded(view);
+  }
   api_->DispatchCompute(static_cast<GLuint>((gbuffer.width + kBandTile - 1) / kBandTile),
                         static_cast<GLuint>((band.rows + kBandTile - 1) / kBandTile), 1);
   count_.run(out);
 }
 
-void ReflectionEffect::bindShaded(const FrameView& view, const EffectFrame& frame) {
-  frame.contributions.counts.bindStorage(SSBO_CONTRIBUTIONS);
+// What blendOf() reads beside positions and normals.
+void ReflectionEffect::bindShaded(const FrameView& view) {
   view.gbuffer.shaded.bind(UNIT_SHADED);
   view.gbuffer.material.bind(UNIT_MATERIAL);
+  view.bindCoat();
   view.scene.sky.bind(UNIT_SKY);
 }
 
@@ -116,7 +126,8 @@ void ReflectionEffect::measure(const FrameView& view, const RayQueue& first, Eff
   contributions_.use();
   const RayQueue& pixels = first.ofPixels() ? first : frame.pixels;
   view.bindRays(pixels);
-  bindShaded(view, frame);
+  frame.contributions.counts.bindStorage(SSBO_CONTRIBUTIONS);
+  bindShaded(view);
   api_->BindBuffer(GL_DISPATCH_INDIRECT_BUFFER, pixels.count.name());
   api_->DispatchComputeIndirect(0);
   // The counts are read by reports.
@@ -132,7 +143,7 @@ void ReflectionEffect::shade(const FrameView& view, const Settings&, const RayQu
   }
 
   const bool surfaces = static_cast<bool>(hits.surfaces);
-  shading(view.scene, step.generation == 0, rays.ofPixels(), surfaces, next != nullptr).use();
+  shading(view, step.generation == 0, rays.ofPixels(), surfaces, next != nullptr).use();
   view.scene.bindSurfaces();
   view.shadows.bind();
   view.bindRays(rays);
@@ -158,27 +169,79 @@ void ReflectionEffect::shade(const FrameView& view, const Settings&, const RayQu
 void ReflectionEffect::resolve(const FrameView& view, const Settings& settings, const RayQueue& first, const RayPasses&,
                                int batch, EffectFrame& frame, GBuffer& gbuffer) {
   resolve(view, first, frame, gbuffer, perPixel(settings), batch);
-  if (settings.effect.glossy && batch + 1 == frame.batches) filter(view, frame, gbuffer);
+  if (!settings.effect.glossy || batch + 1 != frame.batches) return;
+  if (!filter_) filter_ = gl::Program::compute(*api_, "effects/reflection/filter.comp");
+  smooth(view, filter_, frame, gbuffer.reflection);
 }
 
-void ReflectionEffect::filter(const FrameView& view, EffectFrame& frame, GBuffer& gbuffer) {
-  if (!filter_) filter_ = gl::Program::compute(*api_, "effects/reflection/filter.comp");
-  const gl::Texture::Shape& shape = gbuffer.reflection.shape();
+// Over neighbors with alike surfaces; `light` is a layer of the G-buffer.
+void ReflectionEffect::smooth(const FrameView& view, const gl::Program& program, EffectFrame& frame,
+                              gl::Texture& light) const {
+  const gl::Texture::Shape& shape = light.shape();
   if (!frame.filtered || frame.filtered.shape().width != shape.width || frame.filtered.shape().height != shape.height)
     frame.filtered = gl::Texture(*api_, shape, "filtered reflection");
   const auto section = view.profiler.section("shade");
-  filter_.use();
+  program.use();
   view.constants.bindUniform(UBO_FRAME);
-  gbuffer.reflection.bind(UNIT_REFLECTION);
-  gbuffer.position.bind(UNIT_POSITION);
-  gbuffer.normal.bind(UNIT_NORMAL);
-  gbuffer.material.bind(UNIT_MATERIAL);
+  light.bind(UNIT_REFLECTION);
+  view.gbuffer.position.bind(UNIT_POSITION);
+  view.gbuffer.normal.bind(UNIT_NORMAL);
+  view.gbuffer.material.bind(UNIT_MATERIAL);
   frame.filtered.bindImage(IMAGE_REFLECTION, GL_WRITE_ONLY);
   api_->DispatchCompute(static_cast<GLuint>((shape.width + kBandTile - 1) / kBandTile),
                         static_cast<GLuint>((shape.height + kBandTile - 1) / kBandTile), 1);
-  // The reflection is read by the composite pass and by read-backs.
+  // The light is read by what looks at the screen, by the composite pass and by read-backs.
   api_->MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
-  std::swap(frame.filtered, gbuffer.reflection);
+  std::swap(frame.filtered, light);
+}
+
+void ReflectionEffect::lookAtScreen(const FrameView& view, const AnswerQueue& screen, EffectFrame& frame,
+                                    GBuffer& gbuffer) {
+  if (!seen_) {
+    look_ = gl::Program::compute(*api_, "effects/reflection/look.comp");
+    seen_ = gl::Program::compute(*api_, "effects/reflection/seen.comp");
+    filterSeen_ = gl::Program::compute(*api_, "effects/reflection/filter.comp", std::array{gl::Define{"SEEN"}});
+  }
+  RayBatch& batch = frame.seen;
+  const int bands = bandCount(gbuffer, kScreenRaysAtOnce / view.frame.glossySamples);
+  reserveQueue(*api_, bandOf(gbuffer, 0, bands).pixels * view.frame.glossySamples, RayStorage::rays, batch.rays);
+  batch.rays.count.fill(0);
+  for (int number = 0; number < bands; ++number) {
+    sendToScreen(view, bandOf(gbuffer, number, bands), batch.rays);
+    screen(batch.rays, batch.hits);
+    const auto section = view.profiler.section("shade");
+    seen_.use();
+    view.bindRays(batch.rays);
+    batch.rays.paths.bindStorage(SSBO_PATHS);
+    batch.hits.hits.bindStorage(SSBO_HITS);
+    bindShaded(view);
+    gbuffer.reflection.bind(UNIT_REFLECTION);
+    gbuffer.seen.bindImage(IMAGE_SEEN, GL_WRITE_ONLY);
+    api_->BindBuffer(GL_DISPATCH_INDIRECT_BUFFER, batch.rays.count.name());
+    api_->DispatchComputeIndirect(0);
+    // Read by the filter; the next band's rays follow the reads of these.
+    api_->MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+  }
+  smooth(view, filterSeen_, frame, gbuffer.seen);
+}
+
+void ReflectionEffect::sendToScreen(const FrameView& view, const Band& band, RayQueue& out) {
+  const auto section = view.profiler.section("select");
+  beginQueue(out);
+  look_.use();
+  look_.set("firstRow", band.firstRow);
+  look_.set("rows", band.rows);
+  view.constants.bindUniform(UBO_FRAME);
+  out.rays.bindStorage(SSBO_NEXT_RAYS);
+  out.paths.bindStorage(SSBO_NEXT_PATHS);
+  out.count.bindStorage(SSBO_NEXT_COUNT);
+  view.gbuffer.position.bind(UNIT_POSITION);
+  view.gbuffer.normal.bind(UNIT_NORMAL);
+  view.gbuffer.visibility.bind(UNIT_VISIBILITY);
+  bindShaded(view);
+  api_->DispatchCompute(static_cast<GLuint>((view.gbuffer.width + kBandTile - 1) / kBandTile),
+                        static_cast<GLuint>((band.rows + kBandTile - 1) / kBandTile), 1);
+  count_.run(out);
 }
 
 void ReflectionEffect::resolve(const FrameView& view, const RayQueue& first, const EffectFrame& frame, GBuffer& gbuffer,

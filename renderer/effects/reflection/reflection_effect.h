@@ -10,7 +10,8 @@
 namespace halfsilver {
 
 // Mirror reflections: one ray per pixel whose reflection is traced, and one from each hit that reflects. With
-// effect.glossy several per pixel, spread as the surface's roughness says, and smoothed over alike neighbors.
+// effect.glossy several per pixel, spread as the surface's roughness says, and smoothed over alike neighbors; and what
+// is too rough to be traced, as a whole or in part, is looked for on the screen in the same way.
 //
 // Traced are all pixels with a surface, or those that reflect more than a threshold, or none (SelectSettings), thinned
 // to a fraction that is scattered evenly or lies around the center, and to those whose reflection contributes enough to
@@ -32,6 +33,7 @@ class ReflectionEffect final : public RayEffect {
     return bandCount(view.gbuffer, maxRays / perPixel(settings));
   }
   bool usesLightRays() const override { return true; }
+  bool showsCoats() const override { return true; }
   bool storesFirstRays(const Settings& settings) const override { return settings.effect.glossy; }
   bool spawnReadsShading(const Settings& settings) const override { return settings.select.minContribution > 0; }
   // Section "select", as measure().
@@ -48,26 +50,32 @@ class ReflectionEffect final : public RayEffect {
   // The same for queues with several rays per pixel: the mean of those that were answered.
   void resolve(const FrameView& view, const RayQueue& first, const EffectFrame& frame, GBuffer& gbuffer,
                std::uint32_t slotsPerPixel, int batch = 0);
+  bool looksAtScreen(const Settings& settings) const override {
+    return settings.effect.glossy && settings.select.mode != SelectMode::none;
+  }
+  // GBuffer::seen, of all that is not traced as a whole.
+  void lookAtScreen(const FrameView& view, const AnswerQueue& screen, EffectFrame& frame, GBuffer& gbuffer) override;
 
  private:
   // Surfaces that blend on a path, at most; one more is opaque.
   static constexpr int kBlended = 4;
 
-  const gl::Program& shading(const GpuScene& scene, bool first, bool ofPixels, bool surfaces, bool next);
+  const gl::Program& shading(const FrameView& view, bool first, bool ofPixels, bool surfaces, bool next);
   static std::uint32_t perPixel(const Settings& settings) {
     return settings.effect.glossy ? static_cast<std::uint32_t>(settings.effect.samples) : 1;
   }
   void spawnPixels(const FrameView& view, const Band& band, int batch, RayQueue& out, EffectFrame& frame);
   void scatter(const FrameView& view, const RayQueue& pixels, RayQueue& out);
-  void filter(const FrameView& view, EffectFrame& frame, GBuffer& gbuffer);
-  static void bindShaded(const FrameView& view, const EffectFrame& frame);
+  void sendToScreen(const FrameView& view, const Band& band, RayQueue& out);
+  void smooth(const FrameView& view, const gl::Program& program, EffectFrame& frame, gl::Texture& light) const;
+  static void bindShaded(const FrameView& view);
 
   const gl::Api* api_;
   gl::Program spawn_, spawnByContribution_, contributions_;
   RayCountPass count_;
-  gl::Program resolve_, resolveLightRays_, scatter_, filter_;  // all but the first made on first use
-  // Made on first use: [first generation][queue of pixels][with HitSurface][with a next one].
-  std::optional<SurfacePrograms> shade_[2][2][2][2];
+  gl::Program resolve_, resolveLightRays_, scatter_, filter_, look_, seen_, filterSeen_;  // but the first on first use
+  // Made on first use: [first generation][queue of pixels][with HitSurface][with a next one][with coats].
+  std::optional<SurfacePrograms> shade_[2][2][2][2][2];
 };
 
 }  // namespace halfsilver

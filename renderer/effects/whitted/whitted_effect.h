@@ -16,7 +16,8 @@ class WhittedEffect final : public CameraEffect {
 
   int batches(const FrameView& view, const Settings&, std::uint32_t maxRays) const override;
   int generations(const Settings& settings, bool) const override;
-  bool showsLayers() const override { return true; }
+  bool showsClear() const override { return true; }
+  bool showsCoats() const override { return true; }
   bool readsShadowMarks() const override { return true; }
   // Section "shade".
   void shade(const FrameView& view, const Settings& settings, const RayQueue& rays, const Hits& hits,

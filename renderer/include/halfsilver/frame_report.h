@@ -44,8 +44,8 @@ struct FrameReport {
   std::uint64_t selected = 0;      // of these, pixels that are traced
   std::vector<std::uint32_t>
       contributions;  // reflecting pixels of select.fraction by contribution, in classes of equal ratio
-  std::array<std::uint64_t, 8>
-      rays{};             // traced, by kind; behind the kinds those that the screen and a structure answer
+  std::array<std::uint64_t, 8> rays{};  // traced, by kind; behind the kinds those that the screen and a structure
+                                        // answer, the former also of what effect.glossy does not trace
   float minDistance = 0;  // nearer hits may be ignored, meters: eight rounding steps of the scene's largest coordinate
   std::uint32_t passes = 1;  // that the picture is the mean of
   std::vector<StageTime> times;

@@ -17,6 +17,8 @@ struct FrameView {
   // What queuedRay() of shaders/lib/queued_ray.glsl reads of a queue: SSBO_RAYS, SSBO_RAY_COUNT, the frame's constants
   // and the G-buffer.
   void bindRays(const RayQueue& queue) const;
+  // UNIT_COAT, of shaders that look there if FrameConstants::coats says so.
+  void bindCoat() const;
   // What pixelLight() of shaders/lib/pixel_light.glsl reads: the G-buffer with its lit layers, the sky and the frame's
   // constants.
   void bindPixelLight() const;

@@ -35,12 +35,11 @@ struct GpuScene {
   gl::Buffer positions, attributes, triangles, materials, drawList;
   gl::Buffer indices;  // uint[3 * triangles without holes]: vertices of the draw list, whose beginning these are
   std::vector<DrawRange> drawRanges;
-  DrawClusters clusters;                          // of the draw list
-  std::vector<shared::GpuMaterial> cutMaterials;  // those with holes
-  std::uint32_t layeredMaterials = 0;             // that transmit or have a coat
-  std::uint32_t blendingMaterials = 0;            // of AlphaMode::blend that are not opaque everywhere
-  bool lobes = false;                             // a material has sheen or is anisotropic
-  bool beyondHalf = false;                        // a material shines brighter than a half float can tell
+  DrawClusters clusters;                                  // of the draw list
+  std::vector<shared::GpuMaterial> cutMaterials;          // those with holes
+  std::uint32_t clearMaterials = 0, coatedMaterials = 0;  // that transmit; that have a clear coat
+  std::uint32_t blendingMaterials = 0;                    // of AlphaMode::blend that are not opaque everywhere
+  bool lobes = false, beyondHalf = false;  // a material has sheen or is anisotropic; is brighter than halves can tell
   std::uint32_t casters = 0;  // counts changes of what casts shadows but for moves: of the draw list and of holes
   std::vector<gl::Texture> textures;  // buckets of equal size, at most TEXTURE_BUCKETS
   gl::TexelBuffer alphas;             // of the textures that cut holes, see GpuMaterial::alphaFirst
@@ -103,10 +102,11 @@ struct GBuffer {
   gl::Texture baseColor;   // RGBA16F: rgb, a occlusion
   gl::Texture material;    // RGBA16F: f0 rgb, roughness; -1 for unlit
   gl::Texture emissive;    // RGBA16F, RGBA32F if a material is brighter than halves can be: rgb, a metallic
-  gl::Texture sheen;       // RGBA16F: color, roughness; this and the next only with GpuScene::lobes
-  gl::Texture anisotropy;  // RGBA16F: direction, unit, in the plane of the normal; strength
+  gl::Texture lobes;       // RGBA32UI, only with GpuScene::lobes, see shaders/lib/gbuffer_surface.glsl
+  gl::Texture coat;        // RGBA32F, only with FrameConstants::coats, see shaders/lib/coat.glsl
   gl::Texture shaded;      // RGBA32F: deferred radiance, a sky visibility
   gl::Texture reflection;  // RGBA32F: radiance of the traced rays, a 1 if traced
+  gl::Texture seen;        // RGBA32F, only with effect.glossy, see shaders/effects/reflection/seen.comp
   gl::Texture motion;      // RG32F: pixels since the frame before, right and up; only if image.motion asks for it
   // RG32UI array, a layer per 32 direct lights: bits of those that the shadow maps let through somewhere in a pixel's
   // neighborhood, and of those that they hide; in both: in doubt. Only with shadow.method = refined.
@@ -114,12 +114,11 @@ struct GBuffer {
   // With PrimarySettings that test or leave out: pixels whose position.w is -1 are interpolated.
   gl::Texture tested;        // R32UI, takes turns with visibility; only while hits are tested
   gl::Buffer primaryCounts;  // uint[2]: pixels whose triangle a neighbor knew, and that are interpolated
-  // uint: the number of the last frame that the GPU has run here, which is `number` unless it runs nothing or was
-  // reset.
+  // uint: the number of the last frame that the GPU has run here, `number` unless it runs nothing or was reset.
   gl::Buffer signature;
   std::uint32_t number = 0;
   std::size_t bytes() const;
-  // What deferred shading reads, UNIT_POSITION to UNIT_VISIBILITY, and UNIT_SHEEN and UNIT_ANISOTROPY if there are.
+  // What deferred shading reads, UNIT_POSITION to UNIT_VISIBILITY, UNIT_COAT, and UNIT_LOBES if there are any.
   void bindSurface() const;
 };
 
@@ -141,6 +140,20 @@ struct RayQueue {
   std::size_t bytes() const { return rays.bytes() + paths.bytes() + count.bytes(); }
 };
 
+// One result per ray, in the order of the queue.
+struct Hits {
+  gl::Buffer hits;      // Hit[capacity]
+  gl::Buffer surfaces;  // HitSurface[capacity], empty unless the method stores attributes
+  std::size_t bytes() const { return hits.bytes() + surfaces.bytes(); }
+};
+
+// Rays with their hits: of the first ones of a frame all, or a part if they come in several batches.
+struct RayBatch {
+  RayQueue rays;
+  Hits hits;
+  std::size_t bytes() const { return rays.bytes() + hits.bytes(); }
+};
+
 // Reflecting pixels (those that select.fraction keeps) by what their reflection contributes.
 struct Contributions {
   gl::Buffer counts;  // uint[CONTRIBUTION_CLASSES], see shared/structs.h
@@ -153,28 +166,15 @@ struct EffectFrame {
   // depend on no order.
   gl::Buffer slots;
   RayQueue pixels;       // of a batch whose first rays are stored
-  gl::Texture filtered;  // takes turns with GBuffer::reflection
+  RayBatch seen;         // of a band, that the screen answers
+  gl::Texture filtered;  // takes turns with GBuffer::reflection and GBuffer::seen
   Contributions contributions;
   gl::Buffer directLight;  // LightSum by pixel of a batch, if rays to lights found their shadows: on what reflected
                            // rays hit
   std::size_t bytes() const {
-    return slots.bytes() + pixels.bytes() + (filtered ? filtered.bytes() : 0) + contributions.counts.bytes() +
+    return slots.bytes() + pixels.bytes() + seen.bytes() + filtered.bytes() + contributions.counts.bytes() +
            directLight.bytes();
   }
-};
-
-// One result per ray, in the order of the queue.
-struct Hits {
-  gl::Buffer hits;      // Hit[capacity]
-  gl::Buffer surfaces;  // HitSurface[capacity], empty unless the method stores attributes
-  std::size_t bytes() const { return hits.bytes() + surfaces.bytes(); }
-};
-
-// First rays of a frame with their hits: all of them, or a part if they come in several batches.
-struct RayBatch {
-  RayQueue rays;
-  Hits hits;
-  std::size_t bytes() const { return rays.bytes() + hits.bytes(); }
 };
 
 }  // namespace halfsilver

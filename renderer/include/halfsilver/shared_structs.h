@@ -134,7 +134,8 @@ HALFSILVER_AT(FrameConstants, shadowSamples, 320);
 HALFSILVER_AT(FrameConstants, drawnNear, 324);
 HALFSILVER_AT(FrameConstants, parallel, 328);
 HALFSILVER_AT(FrameConstants, rayRules, 332);
-static_assert(sizeof(FrameConstants) == 336);
+HALFSILVER_AT(FrameConstants, coats, 336);
+static_assert(sizeof(FrameConstants) == 352);
 
 #undef HALFSILVER_AT
 

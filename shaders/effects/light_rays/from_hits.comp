@@ -1,5 +1,5 @@
 // Rays to lights from what reflected rays found, in place of the direct light of effects/reflection/shade.comp.
-// With PIXEL_QUEUE those rays are pixels, with HIT_SURFACES the method stores attributes.
+// With PIXEL_QUEUE those rays are pixels, with HIT_SURFACES the method stores attributes, with COATS see lib/coat.glsl.
 #include "lib/evaluate_surface.glsl"
 #include "lib/lights.glsl"
 #include "lib/queued_ray.glsl"
@@ -10,6 +10,12 @@
 #endif
 
 layout(local_size_x = 64) in;
+
+#ifdef COATS
+const uint READ_TEXTURES = ALL_TEXTURES;
+#else
+const uint READ_TEXTURES = BASE_TEXTURES;
+#endif
 
 #ifndef PIXEL_QUEUE
 layout(std430, binding = SSBO_PATHS) readonly buffer PathBlock { RayPath paths[]; };
@@ -37,13 +43,16 @@ void main() {
   Surface s = storedSurface(index, ray, hit);
 #else
   Surface s = evaluateSurface(hit.triangle, vec2(hit.u, hit.v), ray.direction, coneWidth(pathLength),
-                              BASE_TEXTURES);
+                              READ_TEXTURES);
 #endif
   // Slots of a pixel lie side by side in an order of their own.
   uint ofPixel = path.slot % max(frame.glossySamples, 1u);
-  vec3 share = reflectionShare(s.f0, s.roughness, -dot(s.normal, ray.direction));
+  vec3 kept = 1.0 - reflectionShare(s.f0, s.roughness, -dot(s.normal, ray.direction));
+#ifdef COATS
+  if (s.coat > 0.0) kept = vec3(1.0);  // shadeBy() has seen to it
+#endif
   bool behind = frame.blends != 0u && passesOn != 0u && s.alpha < 1.0;
   float covers = !behind ? 1.0 : beganOn(path.kind, ray, hit.t) ? 0.0 : s.alpha;
-  sendToLights(s, -ray.direction, hit.triangle, path.pixel, path.throughput * (1.0 - share) * covers, pathLength,
+  sendToLights(s, -ray.direction, hit.triangle, path.pixel, path.throughput * kept * covers, pathLength,
                joined(joined(1u, generation), ofPixel));
 }

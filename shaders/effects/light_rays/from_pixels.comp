@@ -1,4 +1,5 @@
-// Rays to lights from the surfaces of a band of the screen; with SHADOW_MARKS to those that are in doubt there.
+// Rays to lights from the surfaces of a band of the screen; with SHADOW_MARKS to those that are in doubt there, with
+// COATS see lib/coat.glsl.
 #include "lib/gbuffer_surface.glsl"
 #include "lib/lights.glsl"
 #include "effects/light_rays/to_lights.glsl"

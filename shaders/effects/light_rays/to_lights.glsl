@@ -24,7 +24,7 @@ void sendToLights(Surface s, vec3 toEye, uint triangle, uint pixel, vec3 through
     LightSample to = sampleLight(light, s.position,
                                  sample2(pixel, frame.firstPass * samples + number, joined(purpose, light)));
     if (dot(s.geometricNormal, to.toLight) <= 0.0) continue;
-    vec3 brings = throughput * shadeLight(s, toEye, to.toLight) * to.light / float(samples);
+    vec3 brings = throughput * shadeBy(s, toEye, to.toLight) * to.light / float(samples);
     if (all(lessThanEqual(brings, vec3(0.0)))) continue;
     sendOn(Ray(s.position, distanceBefore(to), to.toLight, triangle),
            ScatteredPath(brings, pathLength, pixel, RAY_SHADOW, 0u, 0.0));

@@ -1,10 +1,9 @@
 // Rays of glossy reflections: each pixel of the queue sends frame.glossySamples of them, as often as its visible
 // microfacets face that way (Heitz 2018). One invocation per pixel.
-#include "lib/fresnel.glsl"
-#include "lib/ggx.glsl"
+#include "effects/reflection/lobe.glsl"
+#include "lib/blend.glsl"
 #include "lib/queued_ray.glsl"
 #include "lib/random.glsl"
-#include "lib/sampling.glsl"
 #include "shared/passes/shade_hits.h"
 
 layout(local_size_x = 64) in;
@@ -26,26 +25,17 @@ void main() {
   }
   uint number = pixelOfRay(index);
   ivec2 pixel = ivec2(number % frame.width, number / frame.width);
-  vec4 material = texelFetch(gMaterial, pixel, 0);
-  float alpha = material.a * material.a;
   Ray ray = mirrorRay(number);
   vec4 stored = texelFetch(gNormal, pixel, 0);
   bool behind = goesOn(stored);
-  vec3 fromEye = fromCamera(ray.origin), normal = stored.xyz;
-  vec3 toEye = -normalize(fromEye), x, y;
-  frameAround(normal, x, y);
-  vec3 v = vec3(dot(toEye, x), dot(toEye, y), max(dot(toEye, normal), 1e-4));
-  vec3 facing = fresnelSchlick(material.rgb, v.z);  // what the blend scales the mean by
+  vec3 fromEye = fromCamera(ray.origin);
+  vec3 toEye = -normalize(fromEye);
+  vec4 material = texelFetch(gMaterial, pixel, 0);
+  Lobe lobe = lobeOf(mirrorOf(pixel, material, stored.xyz, toEye).f0, material.a, stored.xyz, toEye);
   for (uint i = 0u; i < frame.glossySamples; ++i) {
     vec3 weight = vec3(1.0);
-    if (!smoothLobe(alpha) && !behind) {
-      vec3 h = ggxVisibleNormal(v, alpha, sample2(number, frame.firstPass * frame.glossySamples + i, 0u));
-      vec3 l = reflect(-v, h);
-      weight = fresnelSchlick(material.rgb, dot(v, h)) / max(facing, vec3(1e-4)) *
-               (l.z > 0.0 ? ggxMaskingShadowing(v.z, l.z, alpha) / ggxMasking(v.z, alpha) : 0.0);
-      // What would leave into the surface brings nothing, and is sent the other way.
-      ray.direction = normalize(l.x * x + l.y * y + abs(l.z) * normal);
-    }
+    if (!smoothLobe(lobe.alpha) && !behind)
+      weight = sampleLobe(lobe, sample2(number, frame.firstPass * frame.glossySamples + i, 0u), ray.direction);
     uint slot = index * frame.glossySamples + i;
     nextRays[slot] = ray;
     uint kind = behind ? RAY_THROUGH : RAY_REFLECTION;

@@ -1,5 +1,6 @@
 // Shades what the rays found, with the lights of the deferred pass, adds it to the rays' slots and sends on the rays of
-// the next bounce, or those that go on behind surfaces that blend.
+// the next bounce, or those that go on behind surfaces that blend. With COATS see lib/coat.glsl.
+#include "lib/coat.glsl"
 #include "lib/evaluate_surface.glsl"
 #include "lib/lights.glsl"
 #include "lib/queued_ray.glsl"
@@ -12,6 +13,12 @@
 #endif
 
 layout(local_size_x = 64) in;
+
+#ifdef COATS
+const uint READ_TEXTURES = ALL_TEXTURES;
+#else
+const uint READ_TEXTURES = BASE_TEXTURES;
+#endif
 
 #ifndef PIXEL_QUEUE
 layout(std430, binding = SSBO_PATHS) readonly buffer PathBlock { RayPath paths[]; };
@@ -70,7 +77,7 @@ void main() {
   Surface s = storedSurface(index, ray, hit);
 #else
   Surface s = evaluateSurface(hit.triangle, vec2(hit.u, hit.v), direction, coneWidth(pathLength),
-                              BASE_TEXTURES);
+                              READ_TEXTURES);
 #endif
   vec4 lit = directLighting(s, -direction);
   vec3 radiance = lit.rgb;
@@ -79,14 +86,24 @@ void main() {
   behind = frame.blends != 0u && s.alpha < 1.0;
 #endif
   if (!s.unlit) {
-    float cosine = -dot(s.normal, direction);
+#ifdef COATS
+    CoatBlend b = coatBlend(s, -direction);
+    vec3 share = b.share, followed = b.ofCoat ? s.coatNormal : s.normal, reflected = reflect(direction, followed);
+    float reflectivity = followedReflectivity(s, b.ofCoat), roughness = b.ofCoat ? s.coatRoughness : s.roughness;
+    vec3 sky = skyRadiance(reflected, roughness) * lit.a;
+    radiance = (s.coat > 0.0 ? vec3(1.0) : b.base) * lit.rgb +
+               b.skyInBase * skyRadiance(reflect(direction, s.normal), s.roughness) * lit.a +
+               b.skyInCoat * skyRadiance(reflect(direction, s.coatNormal), s.coatRoughness) * lit.a;
+#else
+    float cosine = -dot(s.normal, direction), reflectivity = s.reflectivity;
     vec3 share = reflectionShare(s.f0, s.roughness, cosine);
     vec3 reflected = reflect(direction, s.normal);
     vec3 sky = skyRadiance(reflected, s.roughness) * lit.a;
     radiance = (1.0 - share) * lit.rgb + skyShare(s.f0, s.roughness, cosine) * sky;
+#endif
     bool sentOn = false;
 #ifdef NEXT_BOUNCE
-    if (!behind && s.reflectivity > frame.minReflectivity && path.bounces < frame.bounces) {
+    if (!behind && reflectivity > frame.minReflectivity && path.bounces < frame.bounces) {
       sendOn(Ray(s.position, FAR_AWAY, reflected, hit.triangle),
              RayPath(path.throughput * share, pathLength, path.pixel, RAY_REFLECTION, path.slot, path.bounces + 1u));
       sentOn = true;

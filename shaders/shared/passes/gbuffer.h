@@ -14,7 +14,7 @@
 #define IMAGE_MATERIAL 3
 #define IMAGE_EMISSIVE 4
 #define IMAGE_TESTED 5
-#define IMAGE_SHEEN 6
-#define IMAGE_ANISOTROPY 7
+#define IMAGE_LOBES 6
+#define IMAGE_COAT 7
 
 #endif

@@ -1,0 +1,144 @@
+// What is too rough to be traced is looked for on the screen: select.max_roughness decides what a picture costs, not
+// how it looks.
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "gpu/light_fixture.h"
+#include "gpu/shader_function.h"
+#include "gpu/tracing_scenes.h"
+
+namespace halfsilver::testing {
+namespace {
+
+using glm::vec3;
+
+constexpr int kWidth = 160, kHeight = 90;
+constexpr std::size_t kByScreen = 6;  // of FrameReport::rays
+
+class GlossyScreenTest : public TracingTest {
+ protected:
+  inline static const ShaderEdit kAllTraced = {
+      // nothing is left to the screen and to the sky
+      "lib/fresnel.glsl", "return clamp(1.0 - roughness / frame.maxRoughness, 0.0, 1.0);", "return 1.0;"};
+  inline static const ShaderEdit kSkyAlone = {"lib/blend.glsl", "if (frame.glossySamples != 0u)",
+                                              "if (frame.glossySamples > 1000u)"};
+  static Settings settings(float maxRoughness) {
+    Settings result = settingsWith({{"effect.glossy", "true"}, {"effect.samples", "16"}});
+    result.select.maxRoughness = maxRoughness;
+    return result;
+  }
+};
+
+// A metal floor whose roughness grows from 0 on the left to 1 on the right, before a bright wall.
+Scene roughnessRamp() {
+  Scene scene;
+  auto ramp = plainTexture(256, 1, {0, 0, 255, 255}, false);
+  for (std::size_t i = 0; i < 256; ++i) ramp->texels[4 * i + 1] = static_cast<std::uint8_t>(i);
+  scene.textures = {ramp};
+  Material floor = plain(vec3(0.8f));
+  floor.metallic = 1;
+  floor.metallicRoughnessTexture.texture = 0;
+  floor.metallicRoughnessTexture.wrapU = Wrap::clamp;
+  Material wall = plain(vec3(0));
+  wall.specular = 0;
+  wall.emissive = {4, 3, 2};
+  scene.materials = {floor, wall};
+  addQuad(scene, {0, 0, 0}, {2, 0, 0}, {0, 0, -1}, 0);
+  addQuad(scene, {0, 0.45f, -0.9f}, {2, 0, 0}, {0, 0.35f, 0}, 1);
+  scene.sky = evenSky(vec3(0.3f));
+  return scene;
+}
+const Camera kBefore = lookAt({0, 1.1f, 2.2f}, {0, 0.1f, -0.3f});
+
+// Red of the floor's columns, mean over its rows.
+std::vector<double> columns(const Frame& frame) {
+  std::vector<double> means;
+  for (int x = 0; x < kWidth; ++x) {
+    double sum = 0, rows = 0;
+    for (int y = 0; y < kHeight; ++y) {
+      if (frame.at(x, y, "normal.Y") < 0.9f) continue;
+      sum += static_cast<double>(frame.at(x, y, "R"));
+      ++rows;
+    }
+    means.push_back(rows > 0 ? sum / rows : 0);
+  }
+  return means;
+}
+
+// Root of the mean square of red on the floor.
+double rmse(const Frame& a, const Frame& b) {
+  double sum = 0, pixels = 0;
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x) {
+      if (a.at(x, y, "normal.Y") < 0.9f) continue;
+      const double off = static_cast<double>(a.at(x, y, "R") - b.at(x, y, "R"));
+      sum += off * off;
+      ++pixels;
+    }
+  return std::sqrt(sum / pixels);
+}
+
+// The largest step between neighboring columns around the one where roughness is 0.4, of their difference to `other`.
+double seam(const Frame& frame, const Frame& other) {
+  const std::vector<double> own = columns(frame), others = columns(other);
+  double largest = 0;
+  for (std::size_t x = kWidth / 4; x < kWidth / 2; ++x)
+    largest = std::max(largest, std::abs((own[x + 1] - others[x + 1]) - (own[x] - others[x])));
+  return largest;
+}
+
+TEST_F(GlossyScreenTest, TheThresholdIsAChoiceOfCostAndNotOfLook) {
+  const Scene scene = roughnessRamp();
+  const Frame all = draw(scene, kBefore, settings(1), kWidth, kHeight);
+  const Frame some = draw(scene, kBefore, settings(0.4f), kWidth, kHeight);
+  Frame sky, truth;
+  withShaders({kSkyAlone}, [&] { sky = draw(scene, kBefore, settings(0.4f), kWidth, kHeight); });
+  withShaders({kAllTraced}, [&] { truth = draw(scene, kBefore, settings(1), kWidth, kHeight); });
+
+  EXPECT_LT(some.report.selected, all.report.selected / 2);
+  EXPECT_GT(some.report.rays[kByScreen], 16u * (all.report.selected - some.report.selected));
+  const double with = rmse(some, all), without = rmse(sky, all), seamWith = seam(some, all),
+               seamWithout = seam(sky, all);
+  EXPECT_GT(without, 0.5);
+  EXPECT_LT(with, 0.04 * without);
+  EXPECT_LT(rmse(some, truth), 0.08 * rmse(sky, truth));
+  EXPECT_LT(seamWith, 0.02);
+  for (const auto& [name, value] : {std::pair{"rmse_with", with},
+                                    {"rmse_without", without},
+                                    {"rmse_with_to_all_traced", rmse(some, truth)},
+                                    {"rmse_without_to_all_traced", rmse(sky, truth)},
+                                    {"seam_with", seamWith},
+                                    {"seam_without", seamWithout}})
+    RecordProperty(name, std::to_string(value));
+}
+
+// What the camera does not see is left to the sky, of which no more is seen than there is.
+TEST_F(GlossyScreenTest, WhatTheScreenDoesNotShowIsTheSky) {
+  Scene scene = roughnessRamp();
+  scene.triangles.resize(2);
+  const Frame open = draw(scene, kBefore, settings(0.4f), kWidth, kHeight);
+  Frame truth;
+  withShaders({kAllTraced}, [&] { truth = draw(scene, kBefore, settings(1), kWidth, kHeight); });
+  const std::vector<double> own = columns(open), expected = columns(truth);
+  for (std::size_t x = 20; x < kWidth - 20; ++x) EXPECT_NEAR(own[x], expected[x], 0.04 * expected[x]) << x;
+}
+
+TEST_F(GlossyScreenTest, PicturesRepeatToTheBitAndBudgetsLeaveOutWhatAddsLittle) {
+  const Scene scene = roughnessRamp();
+  const Frame one = draw(scene, kBefore, settings(0.4f), kWidth, kHeight);
+  const Frame again = draw(scene, kBefore, settings(0.4f), kWidth, kHeight);
+  EXPECT_EQ(one.layers.data, again.layers.data);
+  Settings choosy = settings(0.4f);
+  choosy.select.minContribution = 0.9f;
+  EXPECT_LT(draw(scene, kBefore, choosy, kWidth, kHeight).report.rays[kByScreen], one.report.rays[kByScreen] / 2);
+  Settings mirrors = settings(0.4f);
+  mirrors.effect.glossy = false;
+  EXPECT_EQ(draw(scene, kBefore, mirrors, kWidth, kHeight).report.rays[kByScreen], 0u);
+}
+
+}  // namespace
+}  // namespace halfsilver::testing
