@@ -86,7 +86,8 @@ void visitAll(S& s, Visitor&& visit) {
         "pixels that add at most about this to the display go");
   visit("select.fill", s.select.fill, 0, 0, "what stands in for reflections that are not traced");
   OrAuto voxels{s.voxels.resolution};
-  visit("voxels.resolution", voxels, 1, kMaxVoxels, "voxels along each axis (identity: at most); auto: sqrt(3 texels)");
+  visit("voxels.resolution", voxels, 1, kMaxVoxels,
+        "voxels along each axis (identity: at most); auto: sqrt(3 texels), identity 512");
   visitMethods(s, visit, [](std::string_view section) { return section == "voxels"; });
   visit("voxels.raster", s.voxels.raster, 0, 0, "how triangles reach voxels");
   visit("voxels.axis", s.voxels.axis, 0, 0, "how a dominant axis is chosen");

@@ -14,7 +14,8 @@ and only for voxels that a ray asks for; the ray is tested against the triangle 
 <li><b>kastrati2017</b>: Kastrati &amp; Goswami 2017. A fragment holds the surface's attributes (32 bytes) and is stored
 along the dominant axis of its voxel, in pages of four; rays compare depths.</li>
 <li><b>hu2014</b>: Hu et al. 2014. The same fragments along all three axes, in sorted linked lists.</li>
-<li><b>voxels</b>: what Hu et al. hold against their method. A grid alone, whose occupied voxels are what rays hit.</li>
+<li><b>voxels</b>: what Hu et al. hold against their method. A grid alone, whose occupied voxels are what rays hit;
+of as many voxels as the papers' methods have.</li>
 <li><b>reference</b>: exact rays on the CPU (Embree). It traces the same rays, so a difference from it is an error of
 the method.</li>
 </ul>

@@ -73,12 +73,13 @@ void addIvy(MeshBuilder& build, const Materials& m, double out, std::uint32_t se
       const double drop = longest * (1 - at * at) * random.unit();
       const dvec3 root(out * (kArcadeFace - 0.17 - random.between(0, 0.10)), kGallery + 0.08 - drop,
                        std::clamp(middle + spread * at, 0.2 - kHalfLength, kHalfLength - 0.2));
-      const dvec3 direction =
-          glm::normalize(dvec3(-out * random.between(0.15, 0.5), -random.between(0.4, 1.0), random.between(-0.5, 0.5)));
+      const double along = random.between(-0.5, 0.5), down = random.between(0.4, 1.0);
+      const dvec3 direction = glm::normalize(dvec3(-out * random.between(0.15, 0.5), -down, along));
       const dvec3 side = glm::normalize(glm::cross(direction, dvec3(-out, 0.2, 0)));
       const float bright = static_cast<float>(random.between(0.7, 1.2));
       build.use(m.leaves, 1, glm::vec4(bright * 0.8f, bright, bright * 0.8f, 1));
-      addSprig(build, root, direction, side, random.between(0.26, 0.42), random.between(0.24, 0.36), 0.15);
+      const double width = random.between(0.24, 0.36), length = random.between(0.26, 0.42);
+      addSprig(build, root, direction, side, length, width, 0.15);
     }
   }
 }
@@ -131,9 +132,10 @@ void addPottedPlant(MeshBuilder& build, const Materials& m, dvec3 base, std::uin
     const dvec3 level(-outwards.z, 0, outwards.x), above = glm::cross(level, direction);
     const float bright = static_cast<float>(random.between(0.75, 1.25));
     build.use(m.leaves, 1, glm::vec4(bright * 0.95f, bright, bright * 0.85f, 1));
+    const double bend = random.between(0.1, 0.45), width = random.between(0.34, 0.48);
+    const double length = random.between(0.38, 0.62);
     addSprig(build, base + ring * outwards + dvec3(0, height, 0), direction,
-             std::cos(tilt) * level + std::sin(tilt) * above, random.between(0.38, 0.62), random.between(0.34, 0.48),
-             random.between(0.1, 0.45));
+             std::cos(tilt) * level + std::sin(tilt) * above, length, width, bend);
   }
 }
 

@@ -90,7 +90,8 @@ Model makeCanopy() {
   Random random(11);
   for (int i = 0; i < 120; ++i) {
     const double turn = random.between(0, 2 * kPi);
-    const dvec3 corner(random.between(-1.2, 0.9), random.between(0.6, 1.3), random.between(-0.9, 0.5));
+    const double z = random.between(-0.9, 0.5), y = random.between(0.6, 1.3), x = random.between(-1.2, 0.9);
+    const dvec3 corner(x, y, z);
     stage.build.rectangle(corner, 0.4 * dvec3(std::cos(turn), 0.2, std::sin(turn)), {0, -0.45, 0.1});
   }
   return stage.finish();

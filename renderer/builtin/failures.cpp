@@ -42,11 +42,13 @@ Model mixedNormals() {
   Random random(7);
   for (int i = 0; i < 600; ++i) {
     const auto point = [&](double size) {
-      return dvec3(random.between(-size, size), random.between(-size, size), random.between(-size, size));
+      const double z = random.between(-size, size), y = random.between(-size, size), x = random.between(-size, size);
+      return dvec3(x, y, z);
     };
     stage.build.use(1 + static_cast<std::uint32_t>(i) % 4);
     const dvec3 at = dvec3(0, 0.65, 0) + point(0.5);
-    stage.triangle(at + point(0.1), at + point(0.1), at + point(0.1));
+    const dvec3 c = at + point(0.1), b = at + point(0.1), a = at + point(0.1);
+    stage.triangle(a, b, c);
   }
   return stage.finish();
 }
@@ -157,7 +159,8 @@ Model leaves() {
   Random random(3);
   for (int i = 0; i < 60; ++i) {
     const double turn = random.between(0, 2 * kPi);
-    const dvec3 corner(random.between(-1.2, 0.9), random.between(0.5, 1.2), random.between(-0.9, 0.6));
+    const double z = random.between(-0.9, 0.6), y = random.between(0.5, 1.2), x = random.between(-1.2, 0.9);
+    const dvec3 corner(x, y, z);
     const dvec3 right = 0.4 * dvec3(std::cos(turn), 0.2, std::sin(turn));
     const std::uint32_t first = stage.build.vertex({corner, {0, 0, 1}, right, {0, 0}});
     stage.build.vertex({corner + dvec3(0, -0.5, 0), {0, 0, 1}, right, {0, 1}});

@@ -17,6 +17,7 @@ constexpr std::uint32_t hash(std::uint32_t x) {
 // 0 <= result < 1, from the upper 24 bits.
 constexpr double unitInterval(std::uint32_t bits) { return static_cast<double>(bits >> 8) / 16777216.0; }
 
+// Two numbers in one call's arguments would come in an order that the compiler chooses.
 class Random {
  public:
   explicit constexpr Random(std::uint32_t seed) : state_(hash(seed)) {}

@@ -117,14 +117,23 @@ std::string plain(std::string_view text) {
 }
 
 // The parser recurses into the parts of a key, as deep as they are many: those that a file needs are two.
+// Dots of comments do not count, unless strings of several lines might look like them.
 void checkKeys(std::string_view text, const std::string& name) {
   constexpr int kMost = 32;
+  const bool comments = text.find("\"\"\"") == text.npos && text.find("'''") == text.npos;
   std::uint32_t line = 1;
   int dots = 0;
+  char quote = 0;  // of the string around
   for (std::size_t i = 0; i < text.size(); ++i) {
     if (text[i] == '\n') {
       ++line;
-      dots = 0;
+      dots = quote = 0;
+    } else if (quote == 0 && text[i] == '#' && comments) {
+      i = std::min(text.find('\n', i), text.size()) - 1;
+    } else if (quote == '"' && text[i] == '\\') {
+      ++i;
+    } else if (quote != 0 ? text[i] == quote : text[i] == '"' || text[i] == '\'') {
+      quote = quote != 0 ? char{0} : text[i];
     } else if (text[i] == '.' && !text.substr(i + 1).starts_with('.') && ++dots > kMost) {
       reject(name, line, "a key has more than " + std::to_string(kMost) + " parts");
     }

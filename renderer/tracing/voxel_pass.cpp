@@ -44,7 +44,7 @@ VoxelPass::VoxelPass(const gl::Api& api, VoxelRaster raster, AxisRule axis, bool
       large_(api) {
   if (raster == VoxelRaster::conservative)
     small_ = gl::Program::compute(api, "tracing/common/voxelize_small.comp", rasterDefines(raster, axis, triangles));
-  if (axis != AxisRule::own) chooseAxis_ = gl::Program::compute(api, "tracing/common/voxel_axis.comp");
+  if (axis != AxisRule::own && !triangles) chooseAxis_ = gl::Program::compute(api, "tracing/common/voxel_axis.comp");
 }
 
 void VoxelPass::run(const GpuScene& scene, gl::Profiler& profiler, const Grid& grid, Voxels& out) {
@@ -70,7 +70,7 @@ void VoxelPass::run(const GpuScene& scene, gl::Profiler& profiler, const Grid& g
   rasterize(scene, grid, out);
   // Marks and sums (shaders) are read by the choice of axes, the build and the trace.
   api_->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
-  if (axis_ == AxisRule::own) return;
+  if (!chooseAxis_) return;
 
   grid.apply(chooseAxis_);
   chooseAxis_.set("wordCount", static_cast<GLuint>(words));

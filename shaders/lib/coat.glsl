@@ -6,22 +6,9 @@
 // roughness; z is the coat's share of the surface, negative where it is the coat that they follow, 0 without a coat. The
 // other layers have normal and roughness of the mirror that they follow.
 #include "lib/brdf.glsl"
+#include "lib/octahedral.glsl"
 
 const vec3 FILM_F0 = vec3(0.04);  // of index of refraction 1.5
-
-// A unit vector on an octahedron that is folded flat, -1..1 (Meyer, Suessmuth, Sussner, Stamminger, Greiner, "On
-// Floating-Point Normal Vectors", 2010).
-vec2 folded(vec2 place) {
-  return (1.0 - abs(place.yx)) * vec2(place.x < 0.0 ? -1.0 : 1.0, place.y < 0.0 ? -1.0 : 1.0);
-}
-vec2 octahedral(vec3 direction) {
-  vec2 place = direction.xy / (abs(direction.x) + abs(direction.y) + abs(direction.z));
-  return direction.z < 0.0 ? folded(place) : place;
-}
-vec3 fromOctahedral(vec2 place) {
-  float z = 1.0 - abs(place.x) - abs(place.y);
-  return normalize(vec3(z < 0.0 ? folded(place) : place, z));
-}
 
 float filmReflectance(float coat, float cosine) { return coat * fresnelSchlick(FILM_F0, cosine).x; }
 
@@ -63,5 +50,9 @@ vec3 shadeCoated(Surface s, vec3 toEye, vec3 toLight) {
   film.baseColor = vec3(0.0);
   film.f0 = FILM_F0;
   film.roughness = s.coatRoughness;
+#ifdef LOBES
+  film.sheenColor = vec3(0.0);
+  film.anisotropy = 0.0;
+#endif
   return b.base * shadeLight(s, toEye, toLight) + b.highlights * shadeLight(film, toEye, toLight);
 }

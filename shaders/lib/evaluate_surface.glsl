@@ -47,6 +47,14 @@ const uint BASE_TEXTURES = (1u << TEXTURE_TRANSMISSION) - 1u;
 #endif
 const uint ALL_TEXTURES = (1u << TEXTURE_USES) - 1u;
 
+// Interpolated from one corner on, so that one color in all of them is met exactly: the weights do not always add up to
+// one, and a white that is a rounding step darker loses a step of half floats in the G-buffer.
+vec4 vertexColor(uvec4 corners, vec2 barycentrics) {
+  vec4 first = attributes[corners.x].color;
+  return first + barycentrics.x * (attributes[corners.y].color - first) +
+         barycentrics.y * (attributes[corners.z].color - first);
+}
+
 // direction: unit, travelling towards the surface. coneWidth: diameter of the ray's cone at the surface, meters.
 // textures: BASE_TEXTURES if transmission and coat are not needed.
 Surface evaluateSurface(uint triangle, vec2 barycentrics, vec3 direction, float coneWidth, uint textures) {
@@ -71,11 +79,7 @@ Surface evaluateSurface(uint triangle, vec2 barycentrics, vec3 direction, float 
   mat3x4 uvs = mat3x4(vec4(attributes[corners.x].uv0, attributes[corners.x].uv1),
                       vec4(attributes[corners.y].uv0, attributes[corners.y].uv1),
                       vec4(attributes[corners.z].uv0, attributes[corners.z].uv1));
-  // From one corner on, so that one color in all of them is met exactly: the weights do not always add up to one, and
-  // a white that is a rounding step darker loses a step of half floats in the G-buffer.
-  vec4 firstColor = attributes[corners.x].color;
-  vec4 vertexColor = firstColor + barycentrics.x * (attributes[corners.y].color - firstColor) +
-                     barycentrics.y * (attributes[corners.z].color - firstColor);
+  vec4 color = vertexColor(corners, barycentrics);
   vec3 vertexNormal = normals * weights;
   vec3 tangent = tangents * weights;
   float bitangentSign = bitangentSigns.x * weights.x + bitangentSigns.y * weights.y + bitangentSigns.z * weights.z;
@@ -136,8 +140,8 @@ Surface evaluateSurface(uint triangle, vec2 barycentrics, vec3 direction, float 
   }
 
   s.unlit = (flags & MATERIAL_UNLIT) != 0u && !mirror;
-  s.baseColor = (materials[m].baseColor * vertexColor).rgb * baseColor;
-  s.alpha = (flags & MATERIAL_BLEND) != 0u ? clamp(materials[m].baseColor.a * vertexColor.a * alpha, 0.0, 1.0) : 1.0;
+  s.baseColor = (materials[m].baseColor * color).rgb * baseColor;
+  s.alpha = (flags & MATERIAL_BLEND) != 0u ? clamp(materials[m].baseColor.a * color.a * alpha, 0.0, 1.0) : 1.0;
   s.emissive = materials[m].emissive * emissive;
   s.roughness = clamp(materials[m].roughness * roughnessMetallic.x, 0.0, 1.0);
   s.metallic = clamp(materials[m].metallic * roughnessMetallic.y, 0.0, 1.0);

@@ -67,10 +67,11 @@ TEST_F(HardwareDispatches, ManyTrianglesAreDrawnInParts) {
   expectParts(soup(140000),
               settingsWith({{"trace.method", "attributes"},
                             {"voxels.resolution", "32"},
+                            {"voxels.raster", "abuffer"},
                             {"abuffer.resolution", "64"},
                             {"abuffer.lists", "linked"},
                             {"select.mode", "all"}}),
-              96, 72, 3);
+              96, 72, 5);
 }
 
 }  // namespace

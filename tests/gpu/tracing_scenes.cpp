@@ -89,8 +89,9 @@ Scene soup(int triangles) {
     const glm::vec3 at = glm::vec3(-2, 0.05f, -2) + glm::vec3(4, 1.5f, 4) * random.point();
     const float size = 0.02f + 0.6f * std::pow(random.next(), 4.0f);
     const glm::vec3 half(0.5f);
-    addTriangle(scene, at + size * (random.point() - half), at + size * (random.point() - half),
-                at + size * (random.point() - half), 1);
+    const auto corner = [&] { return at + size * (random.point() - half); };
+    const glm::vec3 c = corner(), b = corner(), a = corner();
+    addTriangle(scene, a, b, c, 1);
   }
   return scene;
 }

@@ -24,6 +24,12 @@ std::string problemOf(const std::string& text) {
   return {};
 }
 
+std::string repeated(const std::string& text, int times) {
+  std::string result;
+  for (int i = 0; i < times; ++i) result += text;
+  return result;
+}
+
 TEST(SettingsFile, SetsWhatItNamesAndNothingElse) {
   Settings settings;
   applySettingsText(settings,
@@ -127,9 +133,15 @@ TEST(SettingsFile, CommentsMayHoldAnything) {
   Settings settings;
   applySettingsText(settings,
                     "\xef\xbb\xbf# caf\xc3\xa9 \xff ..........................................\n[voxels] # "
-                    "\xe2\x80\x83\nresolution = 32\n",
+                    "\xe2\x80\x83\nresolution = 32\n# \"a." +
+                        repeated(" a.", 40) + "\n",
                     "a.toml");
   EXPECT_EQ(settings.voxels.resolution, 32);
+  // Neither a string nor one that begins above hides a key.
+  const std::string key = repeated("a.", 40) + "a = 1\n";
+  EXPECT_NE(problemOf("b = \"#\"\n" + key).find("more than 32 parts"), std::string::npos);
+  EXPECT_NE(problemOf("b = {c = \"\"\"\n# \"\"\", " + key).find("more than 32 parts"), std::string::npos);
+  EXPECT_NE(problemOf("\"\\\"#\"." + key).find("more than 32 parts"), std::string::npos);
   EXPECT_TRUE(problemOf("[primary]\nhits \xc3\x9c = 1\n").starts_with("a.toml:2: "));
 }
 

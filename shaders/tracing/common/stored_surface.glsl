@@ -39,8 +39,7 @@ StoredSurface evaluateStoredSurface(uint triangle, vec2 barycentrics, float foot
   vec3 weights = vec3(1.0 - barycentrics.x - barycentrics.y, barycentrics);
   vec3 normal = attributes[corners.x].normal * weights.x + attributes[corners.y].normal * weights.y +
                 attributes[corners.z].normal * weights.z;
-  vec3 color = attributes[corners.x].color.rgb * weights.x + attributes[corners.y].color.rgb * weights.y +
-               attributes[corners.z].color.rgb * weights.z;
+  vec3 color = vertexColor(corners, barycentrics).rgb;
   GpuMaterial m = materials[corners.w];
   StoredSurface s;
   s.normal = dot(normal, normal) > 1e-12 ? normalize(normal) : geometric;
