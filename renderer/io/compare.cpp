@@ -4,10 +4,10 @@
 #include <cmath>
 #include <limits>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include <halfsilver/error.h>
+#include <halfsilver/ray_kinds.h>
 
 namespace halfsilver {
 namespace {
@@ -57,6 +57,11 @@ bool hasLayers(const Image& image) {
 }
 
 // The difference of two counts that files hold as floats.
+// Counts are whole numbers that a float can hold, whatever a file says.
+void checkCount(float value) {
+  if (!(value >= 0 && value <= 16777216)) reject("a layer of counts holds " + std::to_string(value));
+}
+
 std::uint64_t beyond(float a, float b) { return a > b ? static_cast<std::uint64_t>(a - b) : 0; }
 
 KindComparison compareKind(const Image& image, const Image& reference, const std::string& kind, double diagonal) {
@@ -66,6 +71,7 @@ KindComparison compareKind(const Image& image, const Image& reference, const std
   const Plane distance = plane(image, "distance"), referenceDistance = plane(reference, "distance");
   KindComparison result{.kind = kind};
   for (std::size_t p = 0; p < image.pixelCount(); ++p) {
+    for (const Plane* counts : {&rays, &referenceRays, &hits, &referenceHits}) checkCount((*counts)[p]);
     result.rays += static_cast<std::uint64_t>(referenceRays[p]);
     result.unmatched += beyond(rays[p], referenceRays[p]) + beyond(referenceRays[p], rays[p]);
     if (rays[p] != referenceRays[p]) continue;
@@ -77,23 +83,20 @@ KindComparison compareKind(const Image& image, const Image& reference, const std
   return result;
 }
 
+bool countsKind(const Image& image, const std::string& kind) { return image.channel("rays." + kind) >= 0; }
+
+bool countsAny(const Image& image) {
+  return std::any_of(kRayKindNames.begin(), kRayKindNames.end(),
+                     [&](const char* kind) { return countsKind(image, kind); });
+}
+
 // Of all kinds that one of the files counts, if both count any.
 std::vector<KindComparison> compareKinds(const Image& image, const Image& reference, double diagonal) {
-  constexpr std::string_view kPrefix = "rays.";
-  std::vector<std::string> names;
-  for (const Image* file : {&image, &reference}) {
-    bool counts = false;
-    for (const std::string& channel : file->channels) {
-      if (!channel.starts_with(kPrefix)) continue;
-      counts = true;
-      const std::string name = channel.substr(kPrefix.size());
-      if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
-    }
-    if (!counts) return {};
-  }
-  std::sort(names.begin(), names.end());
   std::vector<KindComparison> kinds;
-  for (const std::string& name : names) kinds.push_back(compareKind(image, reference, name, diagonal));
+  if (!countsAny(image) || !countsAny(reference)) return kinds;
+  for (const std::string kind : kRayKindNames)
+    if (countsKind(image, kind) || countsKind(reference, kind))
+      kinds.push_back(compareKind(image, reference, kind, diagonal));
   return kinds;
 }
 

@@ -1,6 +1,7 @@
 #include "passes/shadow_marks.h"
 
 #include <algorithm>
+#include <vector>
 
 #include "shared/passes/shadow_marks.h"
 
@@ -28,15 +29,18 @@ void fit(const gl::Api& api, const gl::Texture::Shape& shape, const char* label,
 }  // namespace
 
 void ShadowMarkPass::run(const FrameView& view, int kernel, GBuffer& gbuffer) {
-  if (!test_) {
-    test_ = gl::Program::compute(*api_, "passes/shadow_test.comp");
-    spread_ = gl::Program::compute(*api_, "passes/spread_marks.comp");
+  gl::Program& test = test_[view.frame.coats != 0];
+  if (!test) {
+    std::vector<gl::Define> defines;
+    if (view.frame.coats != 0) defines.push_back({"COATS"});
+    test = gl::Program::compute(*api_, "passes/shadow_test.comp", defines);
   }
+  if (!spread_) spread_ = gl::Program::compute(*api_, "passes/spread_marks.comp");
   const gl::Texture::Shape shape = shapeFor(view);
   fit(*api_, shape, "shadow marks", gbuffer.shadowMarks);
   fit(*api_, shape, "shadow marks, on their way", scratch_);
   const auto section = view.profiler.section("shade");
-  test_.use();
+  test.use();
   view.constants.bindUniform(UBO_FRAME);
   view.scene.bindTriangles();
   view.shadows.bind();

@@ -21,8 +21,8 @@ class ShadowMarkPass {
   void dispatch(const gl::Texture& marks) const;
 
   const gl::Api* api_;
-  gl::Program test_, spread_;  // made on first use
-  gl::Texture scratch_;        // takes turns with GBuffer::shadowMarks
+  gl::Program test_[2], spread_;  // [with coats], made on first use
+  gl::Texture scratch_;           // takes turns with GBuffer::shadowMarks
 };
 
 }  // namespace halfsilver

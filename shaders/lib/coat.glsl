@@ -22,12 +22,13 @@ struct CoatBlend {
   float skyInCoat;
 };
 
-CoatBlend coatBlend(Surface s, vec3 toEye) {
+// `ofCoat`: whether rays follow the coat.
+CoatBlend coatBlend(Surface s, vec3 toEye, bool ofCoat) {
   float film = filmReflectance(s.coat, dot(s.coatNormal, toEye)), filmFade = roughnessFade(s.coatRoughness);
   float cosine = dot(s.normal, toEye);
   vec3 share = reflectionShare(s.f0, s.roughness, cosine), below = (1.0 - film) * share;
   CoatBlend b;
-  b.ofCoat = film * filmFade > luminance(below);
+  b.ofCoat = ofCoat;
   b.share = b.ofCoat ? vec3(film * filmFade) : below;
   b.base = (1.0 - film) * (1.0 - share);
   b.highlights = s.coat * (1.0 - film * filmFade);
@@ -35,6 +36,14 @@ CoatBlend coatBlend(Surface s, vec3 toEye) {
   b.skyInCoat = film - (b.ofCoat ? film * filmFade : 0.0);
   return b;
 }
+
+bool followsCoat(Surface s, vec3 toEye) {
+  float film = filmReflectance(s.coat, dot(s.coatNormal, toEye));
+  vec3 below = (1.0 - film) * reflectionShare(s.f0, s.roughness, dot(s.normal, toEye));
+  return film * roughnessFade(s.coatRoughness) > luminance(below);
+}
+
+CoatBlend coatBlend(Surface s, vec3 toEye) { return coatBlend(s, toEye, followsCoat(s, toEye)); }
 
 // Reflectance of the mirror that rays follow, straight on, and what of it is smooth enough.
 float followedReflectivity(Surface s, bool ofCoat) {

@@ -64,7 +64,7 @@ void main() {
 #endif
 #ifdef COATS
     if (s.coat > 0.0 && !s.unlit) {
-      bool ofCoat = coatBlend(s, -normalize(fromCamera(position.xyz))).ofCoat;
+      bool ofCoat = followsCoat(s, -normalize(fromCamera(position.xyz)));
       coat = vec4(octahedral(ofCoat ? s.normal : s.coatNormal), ofCoat ? -s.coat : s.coat,
                   ofCoat ? s.roughness : s.coatRoughness);
       normal = vec4(ofCoat ? s.coatNormal : s.normal, goesOn ? normal.w : followedReflectivity(s, ofCoat));

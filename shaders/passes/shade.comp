@@ -45,7 +45,7 @@ void main() {
 #ifdef COATS
   // Of the mirror that rays do not follow; the blend adds the other.
   if (s.coat > 0.0) {
-    CoatBlend b = coatBlend(s, toEye);
+    CoatBlend b = coatBlend(s, toEye, texelFetch(gCoat, pixel, 0).z < 0.0);  // as the G-buffer has it, ties as well
     lit.rgb += (b.ofCoat ? b.skyInBase * skyRadiance(reflect(-toEye, s.normal), s.roughness)
                          : b.skyInCoat * skyRadiance(reflect(-toEye, s.coatNormal), s.coatRoughness)) * lit.a;
   }

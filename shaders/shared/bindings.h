@@ -33,8 +33,8 @@
 #define UNIT_MATERIAL 13
 #define UNIT_EMISSIVE 14
 #define UNIT_VISIBILITY 15
-#define UNIT_COAT 19
 #define UNIT_LOBES 24
+#define UNIT_COAT 25
 // Its lit layers, in passes that blend; those read no material textures.
 #define UNIT_SHADED 0
 #define UNIT_REFLECTION 1

@@ -301,11 +301,16 @@ TEST_F(Bindings, OfGlossyReflectionsThatLookAtTheScreen) {
 
 TEST_F(Bindings, OfClearCoats) {
   Scene scene = litSoup();
-  for (Material& material : scene.materials) material.coat = 1;
+  for (Material& material : scene.materials) {
+    material.coat = 1;
+    material.sheenColor = {0.2f, 0.5f, 0.4f};
+    material.anisotropy = 0.6f;
+  }
   for (const char* shadows : {"maps", "rays", "refined"}) {
     SCOPED_TRACE(shadows);
     expectNothingBorrowed(scene, kAbove, {{"shadow.method", shadows}});
   }
+  expectNothingBorrowed(scene, kAbove, {{"effect.glossy", "true"}});
 }
 
 TEST_F(Bindings, OfATally) { expectNothingBorrowed(litSoup(), kAbove, {{"trace.tally", "true"}}); }

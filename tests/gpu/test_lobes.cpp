@@ -111,6 +111,26 @@ TEST_F(LobesTest, FibersReflectTheShareThatTheirAlbedoSays) {
         << "cosine " << inputs[i].x << " roughness " << inputs[i].y;
 }
 
+// White fibers seen at a grazing angle, by the sum over a fine grid of directions.
+TEST_F(LobesTest, NoFibersGiveBackMoreThanArrives) {
+  const gl::Define lobes[] = {{"LOBES"}};
+  const std::string sum =
+      "vec4 i = inputs[item]; float sum = 0.0; vec3 v = vec3(sqrt(1.0 - i.x * i.x), 0.0, i.x);"
+      "for (int r = 0; r < 128; ++r) for (int s = 0; s < 128; ++s) {"
+      "  float z = (float(r) + 0.5) / 128.0, turn = 6.28318530717959 * (float(s) + 0.5) / 128.0, w = sqrt(1.0 - z * z);"
+      "  vec3 l = vec3(w * cos(turn), w * sin(turn), z);"
+      "  sum += sheenLobe(normalize(v + l).z, i.x, z, i.y) * z; }"
+      "outputs[item] = vec4(sum * 6.28318530717959 / (128.0 * 128.0));";
+  const ShaderFunction function(api, "lib/lobes.glsl", sum, 1, 1, lobes);
+  std::vector<glm::vec4> inputs;
+  for (const float roughness : {0.1f, 0.2f, 0.3f, 0.45f})
+    for (const float cosine : {0.02f, 0.05f, 0.1f}) inputs.emplace_back(cosine, roughness, 0, 0);
+  for (const glm::vec4& found : function.run(inputs)) {
+    EXPECT_LE(found.x, 1.02f);
+    EXPECT_GT(found.x, 0.5f);
+  }
+}
+
 TEST_F(LobesTest, ClothUnderTheSun) {
   for (const float roughness : {0.25f, 0.5f, 1.0f})
     for (const vec3& eye : kEyes)

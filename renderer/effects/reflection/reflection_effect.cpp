@@ -190,8 +190,10 @@ void ReflectionEffect::smooth(const FrameView& view, const gl::Program& program,
   frame.filtered.bindImage(IMAGE_REFLECTION, GL_WRITE_ONLY);
   api_->DispatchCompute(static_cast<GLuint>((shape.width + kBandTile - 1) / kBandTile),
                         static_cast<GLuint>((shape.height + kBandTile - 1) / kBandTile), 1);
-  // The light is read by what looks at the screen, by the composite pass and by read-backs.
-  api_->MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
+  // The light is read by what looks at the screen, by the composite pass and by read-backs; what has been read here is
+  // written by the next one.
+  api_->MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT |
+                      GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
   std::swap(frame.filtered, light);
 }
 
