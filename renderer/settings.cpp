@@ -36,6 +36,8 @@ template <class T>
 struct OrAuto {
   T& value;
 };
+template <class T>
+OrAuto(T&) -> OrAuto<T>;         // Clang 14 needs it said
 constexpr int kMaxVoxels = 512;  // along an axis
 constexpr const char* kAuto = "auto";
 template <class T>

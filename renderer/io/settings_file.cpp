@@ -127,7 +127,8 @@ void checkKeys(std::string_view text, const std::string& name) {
   for (std::size_t i = 0; i < text.size(); ++i) {
     if (text[i] == '\n') {
       ++line;
-      dots = quote = 0;
+      dots = 0;
+      quote = 0;
     } else if (quote == 0 && text[i] == '#' && comments) {
       i = std::min(text.find('\n', i), text.size()) - 1;
     } else if (quote == '"' && text[i] == '\\') {
@@ -170,13 +171,13 @@ std::uint32_t fatalLine(std::string_view text, const std::string& name) {
 
 }  // namespace
 
-void applySettingsText(Settings& settings, std::string_view source, const std::string& name) {
-  const std::string text = plain(source);
-  checkKeys(text, name);
+void applySettingsText(Settings& settings, std::string_view text, const std::string& name) {
+  const std::string ascii = plain(text);
+  checkKeys(ascii, name);
   Settings changed = settings;
   try {
-    const std::optional<toml::table> root = parsed(text, name);
-    if (!root) reject(name, fatalLine(text, name), "not valid TOML");
+    const std::optional<toml::table> root = parsed(ascii, name);
+    if (!root) reject(name, fatalLine(ascii, name), "not valid TOML");
     Reader(changed, name).table(*root, "");
   } catch (const toml::parse_error& error) {
     reject(name, error.source().begin.line, std::string(error.description()));
