@@ -56,6 +56,26 @@ TEST_F(VoxelsTest, AreHitWhereARayEntersThem) {
   EXPECT_EQ(missed, 0u);
 }
 
+// Voxels have the scene's proportions, so they are long here, and the mirror's own lie on the way of many rays.
+TEST_F(VoxelsTest, OfALongSceneDoNotHideWhatAMirrorSees) {
+  Scene scene;
+  scene.materials = {mirrorMaterial(), plain({0.9f, 0.1f, 0.1f})};
+  addQuad(scene, {-1, 0, 0}, {1, 0, 0}, {1, 2, 0}, {-1, 2, 0}, 0);
+  addQuad(scene, {1, 0, 40}, {-1, 0, 40}, {-1, 2, 40}, {1, 2, 40}, 1);
+  const Camera camera = lookAt({0, 1, 2}, {0, 1, 0});
+  const Frame exact = draw(scene, camera, settingsWith({{"trace.method", "exact"}}), 80, 60);
+  const Frame frame = draw(scene, camera, voxels({{"voxels.resolution", "64"}}), 80, 60);
+  std::size_t rays = 0, falseHits = 0;
+  for (int y = 0; y < 60; ++y)
+    for (int x = 0; x < 80; ++x) {
+      if (exact.at(x, y, "selected.Y") == 0) continue;
+      ++rays;
+      falseHits += exact.at(x, y, "hit.T") < 0 && frame.at(x, y, "hit.T") >= 0 ? 1u : 0u;
+    }
+  EXPECT_GT(rays, 1000u);
+  EXPECT_LT(falseHits, rays / 50);
+}
+
 TEST_F(VoxelsTest, AreKeptWhileNothingMovesAndTakeTwelveBytes) {
   Scene scene = wall();
   Renderer renderer = makeRenderer(scene);

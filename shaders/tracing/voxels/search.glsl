@@ -1,5 +1,6 @@
 // Voxels alone (Hu et al. 2014, figure 9, after Papaioannou et al. 2010): a ray hits the first occupied voxel on its
 // way, where it enters it.
+#include "lib/scene.glsl"
 #include "lib/triangles.glsl"
 #include "shared/passes/trace.h"
 #include "shared/passes/voxelize.h"
@@ -17,10 +18,13 @@ layout(std430, binding = SSBO_HIT_SURFACES) writeonly buffer HitSurfaceBlock { H
 
 uint found = 0u;
 
-// The voxels around a ray's origin hold the surface that it leaves, those a little farther may if they face along it.
+// The voxels around a ray's origin hold the surface that it leaves; those of double-sided ones may a little farther on.
+// Single-sided surfaces are hit where they face the ray.
 bool counts(TraceRay ray, uint index, float t) {
-  if (voxelTriangles[index] == NO_TRIANGLE || t < ray.least || near(t, 2.0)) return false;
-  return !near(t, 4.0) || dot(unpackUnit(voxelSurfaces[index].normal), ray.direction) < 0.0;
+  uint triangle = voxelTriangles[index];
+  if (triangle == NO_TRIANGLE || t < ray.least || near(t, 2.0)) return false;
+  bool mayShowBacks = !near(t, 4.0) && doubleSided(triangleAt(triangle).w);
+  return mayShowBacks || dot(unpackUnit(voxelSurfaces[index].normal), ray.direction) < 0.0;
 }
 
 bool march(TraceRay ray, float end, inout PausedRay pause, inout Hit best) {
