@@ -11,7 +11,7 @@ using glm::vec3;
 
 // What is smaller in the texels of the map of all has maps around the eye, in which it is larger.
 constexpr float kFewestTexels = 1, kWantedTexels = 32;
-constexpr int kMostBoxes = 4;     // with the core and the whole scene a light's six maps
+constexpr int kMaxBoxes = 4;      // a light has six maps; the core and the whole scene take two
 constexpr float kSteepest = 8;    // size of a box over that of the one in it
 constexpr float kStepsOfEye = 8;  // per size of a box
 
@@ -52,7 +52,7 @@ ShadowBoxes shadowBoxes(std::span<const DrawCluster> clusters, const Bounds& who
   if (!(texels < kFewestTexels)) return boxes;
 
   const float ratio = kWantedTexels / texels;
-  const int count = std::clamp(static_cast<int>(std::ceil(std::log(ratio) / std::log(kSteepest))), 1, kMostBoxes);
+  const int count = std::clamp(static_cast<int>(std::ceil(std::log(ratio) / std::log(kSteepest))), 1, kMaxBoxes);
   const float factor = std::min(std::pow(ratio, 1.0f / static_cast<float>(count)), kSteepest);
   const vec3 inside = glm::clamp(eye, whole.low, whole.high);
   for (int i = count; i > 0; --i) {

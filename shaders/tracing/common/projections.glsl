@@ -5,8 +5,8 @@
 #include "tracing/common/triangle_normal.glsl"
 
 #ifdef BUILD_STEP
-// Which step of a build the program takes, and how. In a block: some drivers compile a program anew for values of plain
-// uniforms that decide branches, and the two steps would no longer be one program. BUILD_STEP is the block's binding.
+// The step of a build, and its projections. They are in a uniform block (bound to BUILD_STEP) because some drivers
+// recompile a program for the values of plain uniforms that decide branches; the two steps must run the same code.
 layout(std140, binding = BUILD_STEP) uniform BuildStepBlock {
   int secondStep;  // 0: entries are counted, 1: stored
   int ownAxis;     // 1: each triangle in its own dominant axis
