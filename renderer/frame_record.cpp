@@ -55,8 +55,8 @@ void FrameRecord::end(const Frame& frame, const Tracer* tracer, const MemoryRepo
     for (const auto* queues : {&frame.queues, &frame.lightRays.queues})
       for (const RayQueue& queue : *queues)
         if (queue.count) laterCounts_.push_back(readback_.copy<shared::RayCount>(queue.count));
-    if (frame.effect.seen.rays.count)
-      laterCounts_.push_back(readback_.copy<shared::RayCount>(frame.effect.seen.rays.count));
+    for (const RayBatch* batch : {&frame.effect.seen, &frame.effect.behind})
+      if (batch->rays.count) laterCounts_.push_back(readback_.copy<shared::RayCount>(batch->rays.count));
     if (frame.effect.contributions.counts)
       contributions_ = readback_.copy<std::uint32_t>(frame.effect.contributions.counts, CONTRIBUTION_CLASSES);
     raysPerPixel_ = std::max(frame.host.glossySamples, 1u);

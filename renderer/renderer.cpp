@@ -54,11 +54,11 @@ void Renderer::Impl::useEffect(Effect wanted) {
 }
 
 // Of a batch: what belongs to its rays fits one storage block each.
-std::uint32_t Renderer::Impl::maxRays(const Settings& wanted) const {
+std::uint32_t Renderer::Impl::maxRays(const Settings& wanted, const shared::FrameConstants& frame) const {
   static_assert(sizeof(shared::Radiance) <= sizeof(shared::Hit) && sizeof(shared::PausedRay) <= sizeof(shared::Hit));
   std::size_t bytes = sizeof(shared::Hit);
   if (tracer->storesAttributes()) bytes = std::max(bytes, sizeof(shared::HitSurface));
-  if (effect->generations(wanted, blends(wanted)) > 1 || effect->storesFirstRays(wanted))
+  if (effect->generations(wanted, frame) > 1 || effect->storesFirstRays(wanted))
     bytes = std::max({bytes, sizeof(shared::Ray), sizeof(shared::RayPath)});
   const std::uint64_t most = lightsByRays(wanted) ? LightRays::kRaysAtOnce : std::numeric_limits<std::uint32_t>::max();
   return static_cast<std::uint32_t>(std::min(static_cast<std::uint64_t>(api.limits.storageBlockBytes) / bytes, most));
@@ -92,6 +92,18 @@ void Renderer::Impl::finishBatch(const FrameView& view, Frame& frame, std::size_
                   frame.gbuffer);
 }
 
+// What lies behind clear surfaces becomes part of the shaded picture.
+void Renderer::Impl::seeThrough(const FrameView& view, Frame& frame) {
+  RayBatch& batch = frame.effect.behind;
+  const auto batches = static_cast<int>(frame.batches.size());
+  for (int number = 0; number < batches; ++number) {
+    effect->spawnBehind(view, number, batches, batch.rays, frame.effect);
+    tracing(view, frame)(batch.rays, batch.hits, false);
+    runPass(view, frame, batch, {.pass = frame.passes.first, .batch = number});
+    effect->resolveBehind(view, batch.rays, number, frame.effect, frame.gbuffer);
+  }
+}
+
 // The screen's own tracer answers what an effect asks it, whatever method traces the frame.
 void Renderer::Impl::lookAtScreen(const FrameView& view, Frame& frame) {
   if (!tracer || !effect->looksAtScreen(frame.settings)) {
@@ -114,8 +126,7 @@ void Renderer::Impl::lookAtScreen(const FrameView& view, Frame& frame) {
 
 // All generations of a batch.
 void Renderer::Impl::runPass(const FrameView& view, Frame& frame, RayBatch& batch, RayStep step) {
-  const bool blending = frame.host.blends != 0;
-  const int generations = effect->generations(frame.settings, blending);
+  const int generations = effect->generations(frame.settings, frame.host);
   const bool byRays = lightsByRays(frame.settings);
   const LightRays::Trace trace = tracing(view, frame);
   for (int generation = 0; generation < generations; ++generation) {
@@ -124,7 +135,7 @@ void Renderer::Impl::runPass(const FrameView& view, Frame& frame, RayBatch& batc
     const RayQueue& rays = generation == 0 ? batch.rays : frame.queues[static_cast<std::size_t>((generation - 1) % 2)];
     RayQueue& next = frame.queues[static_cast<std::size_t>(generation % 2)];
     Hits& hits = generation == 0 ? batch.hits : frame.hits;
-    if (generation > 0) trace(rays, hits, effect->asksForAnyHit(generation, blending));
+    if (generation > 0) trace(rays, hits, effect->asksForAnyHit(generation, frame.host));
     effect->shade(view, frame.settings, rays, hits, step, last ? nullptr : &next, frame.effect);
     if (byRays) lightRays.lightHits(view, lights, trace, rays, hits, step, !last, frame.effect, frame.lightRays);
   }
@@ -169,11 +180,16 @@ void Renderer::Impl::start(const Work& work, const Camera& camera, const Setting
       makeFrameConstants(camera, scene.extents.bounds(), sky, wanted, size.x, size.y, shadows.ranges, use.jitter);
   constants.allLight = effect->bringsAllLight() ? 1 : 0;
   constants.blends = blends(wanted) ? 1 : 0;
+  // Others know what a mirror shows, or the screen.
+  const bool seesGlass = tracer && (tracer->seesBehind() || tracer->storesAttributes());
+  constants.transmission =
+      seesGlass && effect->showsClear(wanted) && !effect->bringsAllLight() && scene.clearMaterials > 0 ? 1 : 0;
   constants.coats = effect->showsCoats() && !effect->bringsAllLight() && scene.coatedMaterials > 0 ? 1 : 0;
   if (lightsByRays(wanted) || marksShadows(wanted)) constants.mappedLights = 0;
   constants.firstPass = use.passes.first;
-  constants.traces =
-      static_cast<std::uint32_t>(effect->generations(wanted, blends(wanted)) - (effect->startsAtCamera() ? 1 : 0));
+  // Pixels are seen in mirrors and looked through.
+  const int shaded = effect->generations(wanted, constants) * (constants.transmission != 0 ? 2 : 1);
+  constants.traces = static_cast<std::uint32_t>(shaded - (effect->startsAtCamera() ? 1 : 0));
   if (effect->bringsAllLight()) constants.traces *= use.passes.count;
   if (shown == work.frame) shown.reset();
   frame.use = use;
@@ -200,7 +216,7 @@ void Renderer::Impl::start(const Work& work, const Camera& camera, const Setting
       if (queue.count) queue.count.fill(0);  // overflow adds up over the generations that share a queue
     if (byRays) {
       frame.lightRays.forgetCounts();
-      frame.host.traces += LightRays::traces(view, lights, effect->generations(wanted, blends(wanted)));
+      frame.host.traces += LightRays::traces(view, lights, shaded);
     } else {
       frame.lightRays = {};
       frame.effect.directLight = {};
@@ -212,15 +228,20 @@ void Renderer::Impl::start(const Work& work, const Camera& camera, const Setting
     // Some structures know holes.
     if (std::exchange(tracedBlends, view.frame.blends) != view.frame.blends) change = SceneChange::everything();
     tracer->update(view, change);
-    frame.batches.resize(static_cast<std::size_t>(effect->batches(view, wanted, maxRays(wanted))));
+    frame.batches.resize(static_cast<std::size_t>(effect->batches(view, wanted, maxRays(wanted, frame.host))));
   } else {
     frame.tally = {};
     frame.batches.clear();  // no memory for rays that nobody traces
   }
   // Rays are on their way while the G-buffer is shaded, unless it says which ones there are.
-  const bool early = tracer && !byRays && !effect->spawnReadsShading(wanted);
+  const bool through = frame.host.transmission != 0;
+  const bool early = tracer && !byRays && !through && !effect->spawnReadsShading(wanted);
   if (early) submitBatch(view, frame, 0);
   shadePass.run(view, frame.gbuffer);
+  if (through)
+    seeThrough(view, frame);
+  else
+    frame.effect.behind = {};
   if (byRays)
     lightRays.lightPixels(view, lights, tracing(view, frame), static_cast<int>(frame.batches.size()), frame.lightRays);
   if (tracer && !early) submitBatch(view, frame, 0);
@@ -256,9 +277,15 @@ void Renderer::Impl::finish(const Target& target) {
   api.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   std::vector<std::string> warnings = scene.warnings;
   warnings.insert(warnings.end(), shadowWarnings.begin(), shadowWarnings.end());
-  if (scene.clearMaterials > 0 && !effect->showsClear())
-    warnings.push_back(std::to_string(scene.clearMaterials) +
-                       " material(s) transmit light, which only the effects whitted and path show (trace.effect)");
+  const bool showsClear = effect->bringsAllLight() ? effect->showsClear(frame.settings) : frame.host.transmission != 0;
+  if (scene.clearMaterials > 0 && !showsClear)
+    warnings.push_back(
+        std::to_string(scene.clearMaterials) +
+        " material(s) transmit light, which the effects reflection, whitted and path show (trace.effect), "
+        "the first one over methods that see behind surfaces and unless select.mode=none");
+  if (scene.dispersingMaterials > 0 && showsClear && !effect->showsDispersion())
+    warnings.push_back(std::to_string(scene.dispersingMaterials) +
+                       " material(s) spread colors (dispersion), which only the effect whitted shows (trace.effect)");
   if (scene.coatedMaterials > 0 && !effect->showsCoats())
     warnings.push_back(std::to_string(scene.coatedMaterials) +
                        " material(s) have a clear coat, which the effect layers does not show (trace.effect)");

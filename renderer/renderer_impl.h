@@ -99,10 +99,11 @@ struct Renderer::Impl {
   ShadowSettings shadowsOf(const Settings& wanted) const;
   void drawShadows(const Camera& camera, const Settings& wanted, gl::Profiler& profiler);
   void markShadows(const FrameView& view, const Settings& wanted, GBuffer& gbuffer);
-  std::uint32_t maxRays(const Settings& wanted) const;
+  std::uint32_t maxRays(const Settings& wanted, const shared::FrameConstants& frame) const;
   void submitBatch(const FrameView& view, Frame& frame, std::size_t number);
   void finishBatch(const FrameView& view, Frame& frame, std::size_t number);
   LightRays::Trace tracing(const FrameView& view, const Frame& frame);
+  void seeThrough(const FrameView& view, Frame& frame);
   void lookAtScreen(const FrameView& view, Frame& frame);
   void runPass(const FrameView& view, Frame& frame, RayBatch& batch, RayStep step);
   void begin(const Camera& camera, const Settings& wanted, int width, int height,

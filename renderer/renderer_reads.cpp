@@ -14,7 +14,7 @@ namespace halfsilver {
 bool Renderer::Impl::keepsWork() const {
   const Frame& frame = frames[*shown];
   return tracer && tracer->rayWork() && underWay.empty() && frame.settings.trace.countWork &&
-         frame.batches.size() == 1 && effect->generations(frame.settings, frame.host.blends != 0) == 1;
+         frame.batches.size() == 1 && effect->generations(frame.settings, frame.host) == 1;
 }
 
 std::vector<shared::RayWork> Renderer::Impl::readWork() {

@@ -43,9 +43,8 @@ class RayEffect {
 
   // How many batches a frame needs so that none of its queues has more than `maxRays`.
   virtual int batches(const FrameView& view, const Settings& settings, std::uint32_t maxRays) const = 0;
-  // How many times hits may send on rays, the first rays included: at least 1. `blends`: it composes what lies behind
-  // surfaces that blend.
-  virtual int generations(const Settings& settings, bool blends) const = 0;
+  // How many times hits may send on rays, the first rays included: at least 1. `frame` says what is seen through.
+  virtual int generations(const Settings& settings, const shared::FrameConstants& frame) const = 0;
 
   // Whether first rays are stored, not pixels.
   virtual bool storesFirstRays(const Settings&) const { return false; }
@@ -55,14 +54,16 @@ class RayEffect {
   virtual bool usesLightRays() const { return false; }
   // Whether it asks GBuffer::shadowMarks which lights of a pixel need no rays (shadow.method = refined).
   virtual bool readsShadowMarks() const { return false; }
-  // Whether surfaces that transmit, or that have a coat, look so.
-  virtual bool showsClear() const { return false; }
+  // Whether surfaces that transmit, or that have a coat, look so. If it blends, it sees through the first ones by rays
+  // of their own.
+  virtual bool showsClear(const Settings&) const { return false; }
+  virtual bool showsDispersion() const { return false; }
   virtual bool showsCoats() const { return false; }
   // Whether first rays are the camera's, which firstHits() answers; otherwise a tracer does.
   virtual bool startsAtCamera() const { return false; }
 
-  // Whether it is enough to know of that generation's rays that they meet something. `blends`: as above.
-  virtual bool asksForAnyHit(int /*generation*/, bool /*blends*/) const { return false; }
+  // Whether it is enough to know of that generation's rays that they meet something.
+  virtual bool asksForAnyHit(int /*generation*/, const shared::FrameConstants&) const { return false; }
   // Whether it composes what lies behind surfaces of AlphaMode::blend; if not, they are cut at a half. `seesBehind`:
   // Tracer::seesBehind().
   virtual bool blends(const Settings&, const GpuScene&, bool /*seesBehind*/) const { return false; }
@@ -87,6 +88,12 @@ class RayEffect {
   // Brings the light of a batch to the pixels. `first` is the queue that spawn() filled.
   virtual void resolve(const FrameView& view, const Settings& settings, const RayQueue& first, const RayPasses& passes,
                        int batch, EffectFrame& frame, GBuffer& gbuffer) = 0;
+
+  // Rays behind the clear surfaces of a batch's pixels, and their light, which is added to the shaded pixels before any
+  // other ray is sent. Between them they go the way of all others, from shade() on.
+  virtual void spawnBehind(const FrameView&, int /*batch*/, int /*batches*/, RayQueue& /*out*/, EffectFrame&) {}
+  virtual void resolveBehind(const FrameView&, const RayQueue& /*first*/, int /*batch*/, const EffectFrame&,
+                             const GBuffer&) {}
 
   // Whether it then looks at the screen: `screen` knows what the camera sees, and nothing else.
   virtual bool looksAtScreen(const Settings&) const { return false; }

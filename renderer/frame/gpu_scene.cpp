@@ -117,6 +117,8 @@ void uploadMaterials(const gl::Api& api, GpuScene& gpu, const Scene& scene, std:
                       [flags](const shared::GpuMaterial& material) { return (material.flags & flags) != 0; }));
   };
   gpu.clearMaterials = countFlags(MATERIAL_TRANSMISSIVE);
+  gpu.dispersingMaterials = static_cast<std::uint32_t>(std::count_if(
+      materials.begin(), materials.end(), [](const shared::GpuMaterial& material) { return material.dispersion > 0; }));
   gpu.coatedMaterials = countFlags(MATERIAL_COATED);
   gpu.lobes = countFlags(MATERIAL_SHEEN | MATERIAL_ANISOTROPIC) > 0;
   constexpr float kLargestHalf = 65504;

@@ -42,7 +42,7 @@ GBufferPass::GBufferPass(const gl::Api& api)
       framebuffer_(api),
       vertexArray_(api) {
   const gl::Define cut[] = {{"ALPHA_TEST"}};
-  resolve_[0][0].emplace(api, "passes/gbuffer.comp");
+  resolve_[0].emplace(api, "passes/gbuffer.comp");
   cut_ = gl::Program::raster(api, "passes/visibility.vert", "passes/visibility.frag", cut);
 }
 
@@ -96,19 +96,18 @@ void GBufferPass::rasterize(const FrameView& view, const GBuffer& out) const {
 }
 
 const gl::Program& GBufferPass::resolving(const FrameView& view, const PrimarySettings& primary) {
-  const bool coats = view.frame.coats != 0, ruled = hasRules(primary), tested = primary.hits == PrimaryHits::tested;
+  const bool ruled = hasRules(primary), tested = primary.hits == PrimaryHits::tested;
   const std::size_t rules = !ruled ? 0 : !tested ? 1 : 2 + static_cast<std::size_t>(primary.multisampling);
-  std::optional<SurfacePrograms>& programs = resolve_[coats][rules];
+  std::optional<SurfacePrograms>& programs = resolve_[rules];
   if (!programs) {
     std::vector<gl::Define> defines;
-    if (coats) defines.push_back({"COATS"});
     if (ruled) defines.push_back({"PRIMARY_RULES"});
     if (tested) defines.push_back({"TEST_HITS"});
     if (tested && primary.multisampling != Multisampling::none)
       defines.push_back({primary.multisampling == Multisampling::lazy ? "LAZY" : "FULL"});
     programs.emplace(*api_, "passes/gbuffer.comp", std::move(defines));
   }
-  return programs->of(view.scene);
+  return programs->of(view);
 }
 
 // What the tests write, which leaves again with them.

@@ -31,9 +31,8 @@ class GBufferPass {
 
   const gl::Api* api_;
   gl::Program opaque_, cut_;
-  // By whether there are coats and by the rules for what a pixel may show, of which the first are none; that without
-  // either is made at once, the others on first use.
-  std::array<std::array<std::optional<SurfacePrograms>, 5>, 2> resolve_;
+  // By the rules for what a pixel may show, of which the first are none; that is made at once, the others on first use.
+  std::array<std::optional<SurfacePrograms>, 5> resolve_;
   gl::Framebuffer framebuffer_;
   gl::EmptyVertexArray vertexArray_;
   std::uint32_t frames_ = 0;  // that have been numbered

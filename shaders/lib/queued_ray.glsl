@@ -22,7 +22,14 @@ Ray rayBehind(vec3 position, vec3 direction, uint triangle) {
 }
 
 // Whether a surface that blends, hit by such a ray, is the one that it began on: on an edge that two triangles share.
-bool beganOn(uint kind, Ray ray, float t) { return kind == RAY_THROUGH && t < 24.0 * roundingAt(ray.origin); }
+bool beganOn(RayPath path, Ray ray, float t) {
+  return (path.kindAndCounts & 255u) == RAY_THROUGH && t < 24.0 * roundingAt(ray.origin);
+}
+
+uint reflectionsOf(RayPath path) { return path.kindAndCounts / COUNTED_REFLECTION & 255u; }
+uint clearSurfacesOf(RayPath path) { return path.kindAndCounts / COUNTED_CLEAR; }
+// All but the kind.
+uint countsOf(RayPath path) { return path.kindAndCounts & ~255u; }
 
 // The mirror image of the line from the eye to the pixel's surface, or the same way on behind a surface that blends.
 // `precise`: every program must see the same ray.
@@ -42,7 +49,7 @@ RayPath pixelPath(uint number, uint slot) {
   ivec2 pixel = ivec2(number % frame.width, number / frame.width);
   bool behind = goesOn(texelFetch(gNormal, pixel, 0));
   return RayPath(vec3(1.0), length(fromCamera(texelFetch(gPosition, pixel, 0).xyz)), number,
-                 behind ? RAY_THROUGH : RAY_REFLECTION, slot, behind ? 0u : 1u);
+                 behind ? RAY_THROUGH : RAY_REFLECTION | COUNTED_REFLECTION, slot, 0u);
 }
 
 // From the eye to the pixel's surface.

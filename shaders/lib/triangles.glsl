@@ -17,3 +17,10 @@ void trianglePositions(uint triangle, out vec3 a, out vec3 b, out vec3 c) {
   b = vertexPosition(corners.y);
   c = vertexPosition(corners.z);
 }
+
+// Whether a ray meets the side from which its corners run counterclockwise.
+bool meetsFront(uint triangle, vec3 direction) {
+  vec3 a, b, c;
+  trianglePositions(triangle, a, b, c);
+  return dot(cross(b - a, c - a), direction) < 0.0;
+}

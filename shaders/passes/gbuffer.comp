@@ -1,7 +1,9 @@
-// From triangle numbers to surfaces, one per pixel. With PRIMARY_RULES see primary_hit.glsl, with COATS lib/coat.glsl.
+// From triangle numbers to surfaces, one per pixel. With PRIMARY_RULES see primary_hit.glsl, with COATS lib/coat.glsl,
+// with TRANSMISSION lib/clear.glsl.
 #include "lib/triangle_point.glsl"
 #include "lib/evaluate_surface.glsl"
 #include "shared/passes/gbuffer.h"
+#include "lib/clear.glsl"
 #include "lib/coat.glsl"
 #ifdef PRIMARY_RULES
 #include "passes/primary_hit.glsl"
@@ -22,6 +24,8 @@ layout(rgba32ui, binding = IMAGE_LOBES) uniform writeonly uimage2D lobesImage;
 #endif
 #ifdef COATS
 layout(rgba32f, binding = IMAGE_COAT) uniform writeonly image2D coatImage;
+#endif
+#if defined COATS || defined TRANSMISSION
 const uint READ_TEXTURES = ALL_TEXTURES;
 #else
 const uint READ_TEXTURES = BASE_TEXTURES;
@@ -49,8 +53,11 @@ void main() {
   if (visible != 0u) {
     TrianglePoint point = pointOnTriangle(visible - 1u, pixelOrigin(pixel), pixelRay(pixel));
     float range = length(point.relative);
-    Surface s = evaluateSurface(visible - 1u, point.barycentrics, normalize(point.relative), coneWidth(range),
-                                READ_TEXTURES);
+    vec3 direction = normalize(point.relative);
+    Surface s = evaluateSurface(visible - 1u, point.barycentrics, direction, coneWidth(range), READ_TEXTURES);
+#ifdef TRANSMISSION
+    takeClear(s, direction, s.thin || meetsFront(visible - 1u, direction) ? 1.0 / s.ior : s.ior);
+#endif
     position = vec4(point.position, dot(point.relative, frame.forward));
     bool goesOn = frame.blends != 0u && frame.allLight == 0u && s.alpha < 1.0;
     normal = vec4(s.normal, goesOn ? -s.alpha : s.reflectivity);

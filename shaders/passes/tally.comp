@@ -18,11 +18,11 @@ void main() {
   uint pixel, ofKind;
   if (rayCount.source == RAYS_STORED) {
     pixel = paths[index].pixel;
-    ofKind = paths[index].kind & 255u;  // of a ScatteredPath, too
+    ofKind = paths[index].kindAndCounts & 255u;  // of a ScatteredPath, too
   } else {
     RayPath path = pixelPath(pixelOfRay(index), 0u);
     pixel = path.pixel;
-    ofKind = path.kind;
+    ofKind = path.kindAndCounts & 255u;
   }
   if (ofKind != kind) return;
   atomicAdd(tally[pixel].rays, 1u);

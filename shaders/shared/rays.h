@@ -29,10 +29,12 @@ struct RayPath {
   vec3 throughput;
   float pathLength;  // from the eye to the origin, meters (for texture footprints)
   uint pixel;        // y * width + x, row 0 at the bottom
-  uint kind;         // RAY_...
+  uint kindAndCounts;  // RAY_... | COUNTED_REFLECTION for each on the way, its own included | COUNTED_CLEAR likewise
   uint slot;         // where its light is summed; no two rays of a dispatch share one
-  uint bounces;      // reflections on the way, its own included
+  uint media;        // that the ray is in, see lib/media.glsl
 };
+#define COUNTED_REFLECTION (1u << 8)
+#define COUNTED_CLEAR (1u << 16)  // a refraction, or a reflection inside of a volume
 #define RAY_REFLECTION 0u
 #define RAY_REFRACTION 1u
 #define RAY_SHADOW 2u

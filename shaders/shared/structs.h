@@ -174,7 +174,7 @@ struct FrameConstants {
   uint parallel;    // 1: all rays of the camera go along `forward`; right and up are half the picture, in meters
   uint rayRules;    // what else decides which rays there are: of PrimarySettings and ShadowSettings
   uint coats;       // 1: clear coats have a lobe of their own, see lib/coat.glsl
-  uint padding[3];
+  uint transmission;  // 1: what is clear is seen through in pictures that blend, see lib/clear.glsl
+  uint padding[2];
 };
-
 #endif

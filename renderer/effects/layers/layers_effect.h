@@ -15,7 +15,9 @@ class LayersEffect final : public CameraEffect {
   explicit LayersEffect(const gl::Api& api) : CameraEffect(api), api_(&api) {}
 
   int batches(const FrameView& view, const Settings& settings, std::uint32_t maxRays) const override;
-  int generations(const Settings& settings, bool) const override { return settings.effect.layers; }
+  int generations(const Settings& settings, const shared::FrameConstants&) const override {
+    return settings.effect.layers;
+  }
   bool blends(const Settings&, const GpuScene&, bool) const override { return true; }
   // Section "shade".
   void shade(const FrameView& view, const Settings& settings, const RayQueue& rays, const Hits& hits,

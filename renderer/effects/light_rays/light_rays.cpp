@@ -141,16 +141,15 @@ void LightRays::lightHits(const FrameView& view, std::span<const Light> lights, 
   if (step.generation == 0) effect.directLight.fill(0);
   if (lights.empty()) return;
 
-  const bool ofPixels = rays.ofPixels(), surfaces = static_cast<bool>(hits.surfaces), coats = view.frame.coats != 0;
-  std::optional<SurfacePrograms>& programs = fromHits_[ofPixels][surfaces][coats];
+  const bool ofPixels = rays.ofPixels(), surfaces = static_cast<bool>(hits.surfaces);
+  std::optional<SurfacePrograms>& programs = fromHits_[ofPixels][surfaces];
   if (!programs) {
     std::vector<gl::Define> defines;
     if (ofPixels) defines.push_back({"PIXEL_QUEUE"});
     if (surfaces) defines.push_back({"HIT_SURFACES"});
-    if (coats) defines.push_back({"COATS"});
     programs.emplace(*api_, "effects/light_rays/from_hits.comp", std::move(defines));
   }
-  const gl::Program& program = programs->of(view.scene);
+  const gl::Program& program = programs->of(view);
   const std::uint32_t capacity = capacityOf(view, lights, effect.batches);
   eachGroup(view, lights, std::max(1u, capacity / sourcesOf(view, effect.batches)),
             [&](std::uint32_t first, std::uint32_t count, std::uint32_t ray) {

@@ -67,9 +67,9 @@ class LightRays {
   const gl::Api* api_;
   RayCountPass count_;
   // Made on first use.
-  gl::Program fromPixels_[2][2][2], add_;             // [with GBuffer::shadowMarks][GpuScene::lobes][with coats]
-  std::optional<SurfacePrograms> fromHits_[2][2][2];  // [queue of pixels][with HitSurface][with coats]
-  std::optional<SurfacePrograms> gather_[2][2];       // [with HitSurface][last generation]
+  gl::Program fromPixels_[2][2][2], add_;          // [with GBuffer::shadowMarks][GpuScene::lobes][with coats]
+  std::optional<SurfacePrograms> fromHits_[2][2];  // [queue of pixels][with HitSurface]
+  std::optional<SurfacePrograms> gather_[2][2];    // [with HitSurface][last generation]
 };
 
 }  // namespace halfsilver

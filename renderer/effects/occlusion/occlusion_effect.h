@@ -16,10 +16,15 @@ class OcclusionEffect final : public CameraEffect {
 
   int batches(const FrameView& view, const Settings& settings, std::uint32_t maxRays) const override;
   // The camera's surfaces, what their rays find, and what is behind surfaces that blend.
-  int generations(const Settings&, bool blends) const override { return blends ? 2 + kPassedSurfaces : 2; }
-  bool showsClear() const override { return true; }  // it shows no materials at all
+  int generations(const Settings&, const shared::FrameConstants& frame) const override {
+    return frame.blends != 0 ? 2 + kPassedSurfaces : 2;
+  }
+  bool showsClear(const Settings&) const override { return true; }  // it shows no materials at all
+  bool showsDispersion() const override { return true; }
   bool showsCoats() const override { return true; }
-  bool asksForAnyHit(int generation, bool blends) const override { return generation > 0 && !blends; }
+  bool asksForAnyHit(int generation, const shared::FrameConstants& frame) const override {
+    return generation > 0 && frame.blends == 0;
+  }
   // Section "shade".
   void shade(const FrameView& view, const Settings& settings, const RayQueue& rays, const Hits& hits,
              const RayStep& step, RayQueue* next, EffectFrame& frame) override;

@@ -17,10 +17,10 @@ class PathEffect final : public CameraEffect {
 
   int batches(const FrameView& view, const Settings& settings, std::uint32_t maxRays) const override;
   // Surfaces after the camera's: trace.bounces, those that are passed, then what their rays find.
-  int generations(const Settings& settings, bool blends) const override {
-    return settings.trace.bounces + 2 + (blends ? kPassedSurfaces : 0);
+  int generations(const Settings& settings, const shared::FrameConstants& frame) const override {
+    return settings.trace.bounces + 2 + (frame.blends != 0 ? kPassedSurfaces : 0);
   }
-  bool showsClear() const override { return true; }
+  bool showsClear(const Settings&) const override { return true; }
   bool showsCoats() const override { return true; }
   // Section "shade".
   void shade(const FrameView& view, const Settings& settings, const RayQueue& rays, const Hits& hits,

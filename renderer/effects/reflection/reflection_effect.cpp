@@ -36,18 +36,16 @@ ReflectionEffect::ReflectionEffect(const gl::Api& api)
 
 const gl::Program& ReflectionEffect::shading(const FrameView& view, bool first, bool ofPixels, bool surfaces,
                                              bool next) {
-  const bool coats = view.frame.coats != 0;
-  std::optional<SurfacePrograms>& programs = shade_[first][ofPixels][surfaces][next][coats];
+  std::optional<SurfacePrograms>& programs = shade_[first][ofPixels][surfaces][next];
   if (!programs) {
     std::vector<gl::Define> defines;
     if (first) defines.push_back({"FIRST_GENERATION"});
     if (ofPixels) defines.push_back({"PIXEL_QUEUE"});
     if (surfaces) defines.push_back({"HIT_SURFACES"});
     if (next) defines.push_back({"NEXT_BOUNCE"});
-    if (coats) defines.push_back({"COATS"});
     programs.emplace(*api_, "effects/reflection/shade.comp", std::move(defines));
   }
-  return programs->of(view.scene);
+  return programs->of(view);
 }
 
 void ReflectionEffect::spawn(const FrameView& view, int batch, int batches, RayQueue& out, EffectFrame& frame) {
@@ -164,6 +162,67 @@ void ReflectionEffect::shade(const FrameView& view, const Settings&, const RayQu
   else
     // The slots are read by resolve().
     api_->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+}
+
+void ReflectionEffect::spawnBehind(const FrameView& view, int batch, int batches, RayQueue& out, EffectFrame& frame) {
+  if (!spawnBehind_) spawnBehind_.emplace(*api_, "effects/reflection/spawn_behind.comp");
+  const Band band = bandOf(view.gbuffer, batch, batches);
+  // As many as all queues of the frame have room for, of which this needs one per pixel.
+  const std::uint32_t rays = band.pixels * std::max(view.frame.glossySamples, 1u);
+  frame.batches = batches;
+  reserveFrame(*api_, rays, frame);
+  reserveQueue(*api_, rays, RayStorage::rays, out);
+  const auto section = view.profiler.section("select");
+  if (batch == 0) {
+    // The last frame's shaders wrote the counters; the fill overwrites them.
+    api_->MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    out.count.fill(0);
+  } else {
+    beginQueue(out);
+  }
+  const gl::Program& program = spawnBehind_->of(view);
+  program.use();
+  program.set("firstRow", band.firstRow);
+  program.set("rows", band.rows);
+  view.constants.bindUniform(UBO_FRAME);
+  view.scene.bindSurfaces();
+  view.gbuffer.position.bind(UNIT_POSITION);
+  view.gbuffer.visibility.bind(UNIT_VISIBILITY);
+  out.rays.bindStorage(SSBO_NEXT_RAYS);
+  out.paths.bindStorage(SSBO_NEXT_PATHS);
+  out.count.bindStorage(SSBO_NEXT_COUNT);
+  api_->DispatchCompute(static_cast<GLuint>((view.gbuffer.width + kBandTile - 1) / kBandTile),
+                        static_cast<GLuint>((band.rows + kBandTile - 1) / kBandTile), 1);
+  count_.run(out);
+}
+
+void ReflectionEffect::resolveBehind(const FrameView& view, const RayQueue& first, int batch, const EffectFrame& frame,
+                                     const GBuffer& gbuffer) {
+  const auto section = view.profiler.section("shade");
+  const bool lightRays = static_cast<bool>(frame.directLight);
+  gl::Program& program = resolveBehind_[lightRays];
+  if (!program) {
+    std::vector<gl::Define> defines;
+    if (lightRays) defines.push_back({"LIGHT_RAYS"});
+    program = gl::Program::compute(*api_, "effects/reflection/resolve_behind.comp", defines);
+  }
+  program.use();
+  if (lightRays) {
+    program.set("firstPixel", bandOf(gbuffer, batch, frame.batches).firstPixel);
+    frame.directLight.bindStorage(SSBO_DIRECT_LIGHT);
+  }
+  view.bindRays(first);
+  first.paths.bindStorage(SSBO_PATHS);
+  frame.slots.bindStorage(SSBO_SLOTS);
+  view.scene.sky.bind(UNIT_SKY);
+  gbuffer.shaded.bindImage(IMAGE_SHADED, GL_READ_WRITE);
+  api_->BindBuffer(GL_DISPATCH_INDIRECT_BUFFER, first.count.name());
+  api_->DispatchComputeIndirect(0);
+  // The shaded pixels are read by selection, by the composite pass and by read-backs, and added to by rays to lights;
+  // the next batch's counts and slots follow the reads of these.
+  api_->MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT |
+                      GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT |
+                      GL_BUFFER_UPDATE_BARRIER_BIT);
 }
 
 void ReflectionEffect::resolve(const FrameView& view, const Settings& settings, const RayQueue& first, const RayPasses&,

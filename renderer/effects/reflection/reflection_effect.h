@@ -6,6 +6,7 @@
 #include "effects/ray_queues.h"
 #include "frame/surface_programs.h"
 #include "gl/program.h"
+#include "shared/passes/shade_hits.h"
 
 namespace halfsilver {
 
@@ -18,13 +19,14 @@ namespace halfsilver {
 // the shaded picture. Hits are shaded with the lights and textures of the deferred pass and blended along the path as
 // the composite pass blends pixels: at each hit (1 - W) of its shading, and W of what its reflected ray finds or, at
 // the end of the path, of the visible sky. A surface that blends sends its ray on behind it instead, and reflects the
-// sky.
+// sky. Pixels of clear surfaces send a second ray, which is refracted; clear hits send on what is refracted or what is
+// reflected, whichever is more.
 class ReflectionEffect final : public RayEffect {
  public:
   explicit ReflectionEffect(const gl::Api& api);
 
-  int generations(const Settings& settings, bool blends) const override {
-    return settings.trace.bounces + (blends ? kBlended : 0);
+  int generations(const Settings& settings, const shared::FrameConstants& frame) const override {
+    return settings.trace.bounces + (frame.blends != 0 ? kBlended : 0) + (frame.transmission != 0 ? MOST_CLEAR : 0);
   }
   bool blends(const Settings& settings, const GpuScene& scene, bool seesBehind) const override {
     return scene.blendingMaterials > 0 && settings.select.mode != SelectMode::none && seesBehind;
@@ -33,6 +35,7 @@ class ReflectionEffect final : public RayEffect {
     return bandCount(view.gbuffer, maxRays / perPixel(settings));
   }
   bool usesLightRays() const override { return true; }
+  bool showsClear(const Settings& settings) const override { return settings.select.mode != SelectMode::none; }
   bool showsCoats() const override { return true; }
   bool storesFirstRays(const Settings& settings) const override { return settings.effect.glossy; }
   bool spawnReadsShading(const Settings& settings) const override { return settings.select.minContribution > 0; }
@@ -50,6 +53,10 @@ class ReflectionEffect final : public RayEffect {
   // The same for queues with several rays per pixel: the mean of those that were answered.
   void resolve(const FrameView& view, const RayQueue& first, const EffectFrame& frame, GBuffer& gbuffer,
                std::uint32_t slotsPerPixel, int batch = 0);
+  // Sections "select" and "shade".
+  void spawnBehind(const FrameView& view, int batch, int batches, RayQueue& out, EffectFrame& frame) override;
+  void resolveBehind(const FrameView& view, const RayQueue& first, int batch, const EffectFrame& frame,
+                     const GBuffer& gbuffer) override;
   bool looksAtScreen(const Settings& settings) const override {
     return settings.effect.glossy && settings.select.mode != SelectMode::none;
   }
@@ -74,8 +81,9 @@ class ReflectionEffect final : public RayEffect {
   gl::Program spawn_, spawnByContribution_, contributions_;
   RayCountPass count_;
   gl::Program resolve_, resolveLightRays_, scatter_, filter_, look_, seen_, filterSeen_;  // but the first on first use
-  // Made on first use: [first generation][queue of pixels][with HitSurface][with a next one][with coats].
-  std::optional<SurfacePrograms> shade_[2][2][2][2][2];
+  // Made on first use: [first generation][queue of pixels][with HitSurface][with a next one]; [with light rays].
+  std::optional<SurfacePrograms> shade_[2][2][2][2], spawnBehind_;
+  gl::Program resolveBehind_[2];
 };
 
 }  // namespace halfsilver

@@ -23,7 +23,7 @@ int WhittedEffect::batches(const FrameView& view, const Settings&, std::uint32_t
 }
 
 // The camera's hits, those of the depth, and what their rays to lights meet.
-int WhittedEffect::generations(const Settings& settings, bool) const {
+int WhittedEffect::generations(const Settings& settings, const shared::FrameConstants&) const {
   return 1 + settings.trace.bounces + 1 + kPassedSurfaces;
 }
 

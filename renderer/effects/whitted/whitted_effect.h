@@ -15,8 +15,9 @@ class WhittedEffect final : public CameraEffect {
   explicit WhittedEffect(const gl::Api& api);
 
   int batches(const FrameView& view, const Settings&, std::uint32_t maxRays) const override;
-  int generations(const Settings& settings, bool) const override;
-  bool showsClear() const override { return true; }
+  int generations(const Settings& settings, const shared::FrameConstants&) const override;
+  bool showsClear(const Settings&) const override { return true; }
+  bool showsDispersion() const override { return true; }
   bool showsCoats() const override { return true; }
   bool readsShadowMarks() const override { return true; }
   // Section "shade".

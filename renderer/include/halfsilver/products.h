@@ -35,10 +35,10 @@ struct GpuScene {
   gl::Buffer positions, attributes, triangles, materials, drawList;
   gl::Buffer indices;  // uint[3 * triangles without holes]: vertices of the draw list, whose beginning these are
   std::vector<DrawRange> drawRanges;
-  DrawClusters clusters;                                  // of the draw list
-  std::vector<shared::GpuMaterial> cutMaterials;          // those with holes
-  std::uint32_t clearMaterials = 0, coatedMaterials = 0;  // that transmit; that have a clear coat
-  std::uint32_t blendingMaterials = 0;                    // of AlphaMode::blend that are not opaque everywhere
+  DrawClusters clusters;                                                           // of the draw list
+  std::vector<shared::GpuMaterial> cutMaterials;                                   // those with holes
+  std::uint32_t clearMaterials = 0, dispersingMaterials = 0, coatedMaterials = 0;  // of MATERIAL_TRANSMISSIVE, ...
+  std::uint32_t blendingMaterials = 0;     // of AlphaMode::blend that are not opaque everywhere
   bool lobes = false, beyondHalf = false;  // a material has sheen or is anisotropic; is brighter than halves can tell
   std::uint32_t casters = 0;  // counts changes of what casts shadows but for moves: of the draw list and of holes
   std::vector<gl::Texture> textures;  // buckets of equal size, at most TEXTURE_BUCKETS
@@ -165,15 +165,15 @@ struct EffectFrame {
   // Radiance[capacity of a batch]: a ray names its slot, and no two rays of a dispatch share one, so sums
   // depend on no order.
   gl::Buffer slots;
-  RayQueue pixels;       // of a batch whose first rays are stored
-  RayBatch seen;         // of a band, that the screen answers
-  gl::Texture filtered;  // takes turns with GBuffer::reflection and GBuffer::seen
+  RayQueue pixels;        // of a batch whose first rays are stored
+  RayBatch seen, behind;  // of a band: rays that the screen answers, and those behind clear surfaces
+  gl::Texture filtered;   // takes turns with GBuffer::reflection and GBuffer::seen
   Contributions contributions;
   gl::Buffer directLight;  // LightSum by pixel of a batch, if rays to lights found their shadows: on what reflected
                            // rays hit
   std::size_t bytes() const {
-    return slots.bytes() + pixels.bytes() + seen.bytes() + filtered.bytes() + contributions.counts.bytes() +
-           directLight.bytes();
+    return slots.bytes() + pixels.bytes() + seen.bytes() + behind.bytes() + filtered.bytes() +
+           contributions.counts.bytes() + directLight.bytes();
   }
 };
 

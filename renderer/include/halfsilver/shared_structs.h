@@ -30,9 +30,9 @@ static_assert(sizeof(Ray) == 32);
 HALFSILVER_AT(RayPath, throughput, 0);
 HALFSILVER_AT(RayPath, pathLength, 12);
 HALFSILVER_AT(RayPath, pixel, 16);
-HALFSILVER_AT(RayPath, kind, 20);
+HALFSILVER_AT(RayPath, kindAndCounts, 20);
 HALFSILVER_AT(RayPath, slot, 24);
-HALFSILVER_AT(RayPath, bounces, 28);
+HALFSILVER_AT(RayPath, media, 28);
 static_assert(sizeof(RayPath) == 32);
 
 HALFSILVER_AT(Radiance, sum, 0);
@@ -53,7 +53,7 @@ static_assert(sizeof(RayCount) == 32 + 4 * RAY_KINDS);
 static_assert(sizeof(ScatteredPath) == sizeof(RayPath));
 HALFSILVER_AT(ScatteredPath, pathLength, offsetof(RayPath, pathLength));
 HALFSILVER_AT(ScatteredPath, pixel, offsetof(RayPath, pixel));
-HALFSILVER_AT(ScatteredPath, kindAndSample, offsetof(RayPath, kind));
+HALFSILVER_AT(ScatteredPath, kindAndSample, offsetof(RayPath, kindAndCounts));
 HALFSILVER_AT(ScatteredPath, media, 24);
 HALFSILVER_AT(ScatteredPath, density, 28);
 
@@ -135,6 +135,7 @@ HALFSILVER_AT(FrameConstants, drawnNear, 324);
 HALFSILVER_AT(FrameConstants, parallel, 328);
 HALFSILVER_AT(FrameConstants, rayRules, 332);
 HALFSILVER_AT(FrameConstants, coats, 336);
+HALFSILVER_AT(FrameConstants, transmission, 340);
 static_assert(sizeof(FrameConstants) == 352);
 
 #undef HALFSILVER_AT

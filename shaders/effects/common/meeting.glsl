@@ -1,5 +1,5 @@
 // What a ray that may pass through surfaces meets. The includer says what SSBO_HIT_SURFACES is.
-#include "lib/dielectric.glsl"
+#include "lib/clear.glsl"
 #include "lib/evaluate_surface.glsl"
 #include "lib/media.glsl"
 #include "lib/triangle_point.glsl"
@@ -25,15 +25,7 @@ struct Meeting {
 
 #ifdef HIT_SURFACES
 Surface surfaceOf(uint index, Ray ray, Hit hit, inout float distance, float pathLength) {
-  Surface s = storedSurface(index, ray, hit);
-  uint material = triangleAt(hit.triangle).w;
-  s.transmission = materials[material].transmission;
-  s.thin = (materials[material].flags & MATERIAL_THIN) != 0u;
-  s.ior = materials[material].ior;
-  s.dispersion = materials[material].dispersion;
-  s.coat = materials[material].coat;
-  s.coatRoughness = materials[material].coatRoughness;
-  return s;
+  return storedSurface(index, ray, hit);
 }
 #else
 // The method says which triangle it is; all methods then see the same point of it.
@@ -48,10 +40,8 @@ Surface surfaceOf(uint index, Ray ray, Hit hit, inout float distance, float path
 #endif
 
 void setMedia(inout Meeting m, uint media) {
-  vec3 a, b, c;
-  trianglePositions(m.triangle, a, b, c);
   uint material = triangleAt(m.triangle).w;
-  m.front = dot(cross(b - a, c - a), m.direction) < 0.0;
+  m.front = meetsFront(m.triangle, m.direction);
   m.s.thin = m.s.thin || material >= MEDIA_MATERIALS;
   m.before = m.behind = media;
   if (m.s.thin || m.s.transmission <= 0.0) return;
@@ -83,9 +73,6 @@ bool isClear(Hit hit) {
 
 const float COAT_INDEX = 1.5;
 
-// A material's share of light that meets a clear inside.
-float clearShare(Surface s) { return s.transmission * (1.0 - s.metallic); }
-
 bool underCoat(Meeting m) { return m.s.coat > 0.0 && (m.front || m.s.thin || m.s.transmission <= 0.0); }
 
 float coatReflectance(Meeting m) {
@@ -97,4 +84,21 @@ float coatReflectance(Meeting m) {
 float indexRatio(Meeting m, int color) {
   float behind = m.s.thin ? indexOf(m.s.ior, m.s.dispersion, color) : indexOfMedium(m.behind, color);
   return indexOfMedium(m.before, color) / behind;
+}
+
+// The way of what is reflected. Its media are those before the surface, so it must not begin behind a clear one.
+vec3 directionBefore(Meeting m, vec3 normal) {
+  vec3 direction = reflect(m.direction, normal);
+  if (m.s.transmission > 0.0 && dot(direction, m.s.geometricNormal) <= 0.0)
+    direction = reflect(m.direction, m.s.geometricNormal);
+  return direction;
+}
+
+// The way of what passes. A normal that is interpolated may bend a ray out again: then the triangle's own, or nothing
+// bends it.
+vec3 directionBehind(Meeting m, Interface border, float ratio) {
+  vec3 direction = m.s.thin ? m.direction : border.refracted;
+  if (dot(direction, m.s.geometricNormal) >= 0.0)
+    direction = meetInterface(m.direction, m.s.geometricNormal, ratio).refracted;
+  return dot(direction, m.s.geometricNormal) >= 0.0 ? m.direction : direction;
 }

@@ -38,9 +38,11 @@ Surface storedSurface(uint index, Ray ray, Hit hit) {
   float fade = clamp(s.reflectivity / max(luminance(s.f0), 1e-6), 0.0, 1.0);
   s.roughness = fade > 0.0 ? (1.0 - fade) * frame.maxRoughness : max(s.roughness, frame.maxRoughness);
   leaveOutLayers(s);
-#ifdef COATS
-  s.coat = s.unlit ? 0.0 : materials[material].coat;
+  s.transmission = materials[material].transmission;
+  s.thin = (flags & MATERIAL_THIN) != 0u;
+  s.ior = materials[material].ior;
+  s.dispersion = materials[material].dispersion;
+  s.coat = materials[material].coat;
   s.coatRoughness = materials[material].coatRoughness;
-#endif
   return s;
 }

@@ -1,5 +1,6 @@
 // Rays to lights from what reflected rays found, in place of the direct light of effects/reflection/shade.comp.
-// With PIXEL_QUEUE those rays are pixels, with HIT_SURFACES the method stores attributes, with COATS see lib/coat.glsl.
+// With PIXEL_QUEUE those rays are pixels, with HIT_SURFACES the method stores attributes, with COATS see lib/coat.glsl,
+// with TRANSMISSION lib/clear.glsl.
 #include "lib/evaluate_surface.glsl"
 #include "lib/lights.glsl"
 #include "lib/queued_ray.glsl"
@@ -7,6 +8,9 @@
 #include "effects/light_rays/to_lights.glsl"
 #ifdef HIT_SURFACES
 #include "effects/common/stored_surface.glsl"
+#endif
+#ifdef TRANSMISSION
+#include "effects/common/meeting.glsl"
 #endif
 
 layout(local_size_x = 64) in;
@@ -39,7 +43,14 @@ void main() {
   RayPath path = paths[index];
 #endif
   float pathLength = path.pathLength + hit.t;
-#ifdef HIT_SURFACES
+#ifdef TRANSMISSION
+  Meeting m = meetingOf(index, ray, hit, ScatteredPath(path.throughput, path.pathLength, path.pixel, 0u, path.media, 0.0));
+  pathLength = m.pathLength;
+  path.throughput = m.throughput;
+  Surface s = m.s;
+  takeClear(s, ray.direction, indexRatio(m, 1));
+  if (!underCoat(m)) s.coat = 0.0;
+#elif defined HIT_SURFACES
   Surface s = storedSurface(index, ray, hit);
 #else
   Surface s = evaluateSurface(hit.triangle, vec2(hit.u, hit.v), ray.direction, coneWidth(pathLength),
@@ -52,7 +63,7 @@ void main() {
   if (s.coat > 0.0) kept = vec3(1.0);  // shadeBy() has seen to it
 #endif
   bool behind = frame.blends != 0u && passesOn != 0u && s.alpha < 1.0;
-  float covers = !behind ? 1.0 : beganOn(path.kind, ray, hit.t) ? 0.0 : s.alpha;
+  float covers = !behind ? 1.0 : beganOn(path, ray, hit.t) ? 0.0 : s.alpha;
   sendToLights(s, -ray.direction, hit.triangle, path.pixel, path.throughput * kept * covers, pathLength,
                joined(joined(1u, generation), ofPixel));
 }

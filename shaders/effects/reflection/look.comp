@@ -45,6 +45,6 @@ void main() {
     vec3 direction;
     vec3 weight = sampleLobe(lobe, sample2(number, frame.firstPass * frame.glossySamples + i, 1u), direction);
     nextRays[first + i] = Ray(position.xyz, FAR_AWAY, direction, triangle);
-    nextPaths[first + i] = RayPath(weight, length(fromEye), number, RAY_REFLECTION, first + i, 1u);
+    nextPaths[first + i] = RayPath(weight, length(fromEye), number, RAY_REFLECTION | COUNTED_REFLECTION, first + i, 0u);
   }
 }

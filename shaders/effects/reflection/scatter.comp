@@ -38,7 +38,7 @@ void main() {
       weight = sampleLobe(lobe, sample2(number, frame.firstPass * frame.glossySamples + i, 0u), ray.direction);
     uint slot = index * frame.glossySamples + i;
     nextRays[slot] = ray;
-    uint kind = behind ? RAY_THROUGH : RAY_REFLECTION;
-    nextPaths[slot] = RayPath(weight, length(fromEye), number, kind, slot, behind ? 0u : 1u);
+    uint kind = behind ? RAY_THROUGH : RAY_REFLECTION | COUNTED_REFLECTION;
+    nextPaths[slot] = RayPath(weight, length(fromEye), number, kind, slot, 0u);
   }
 }

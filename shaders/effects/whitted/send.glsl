@@ -12,10 +12,7 @@ uniform uint endsHere;  // what this surface reflects and lets pass is not trace
 // Light that arrives along a reflected ray. `visibility`: of the sky.
 void sendReflected(Meeting m, vec3 normal, uint way, vec3 throughput, bool traced, float roughness, float visibility) {
   if (all(lessThanEqual(throughput, vec3(0.0)))) return;
-  vec3 direction = reflect(m.direction, normal);
-  // The ray's media are those before the surface, so it must not begin behind it.
-  if (m.s.transmission > 0.0 && dot(direction, m.s.geometricNormal) <= 0.0)
-    direction = reflect(m.direction, m.s.geometricNormal);
+  vec3 direction = directionBefore(m, normal);
   if (traced && endsHere == 0u)
     sendRay(m, RAY_REFLECTION, way, direction, FAR_AWAY, throughput, m.before);
   else
@@ -37,11 +34,7 @@ vec3 sendRefracted(Meeting m, vec3 throughput, float visibility) {
     reflectance += colors * border.reflectance;
     vec3 passing = throughput * colors * (1.0 - border.reflectance);
     if (all(lessThanEqual(passing, vec3(0.0)))) continue;
-    vec3 direction = m.s.thin ? m.direction : border.refracted;
-    // A normal that is interpolated may bend a ray out again: then the triangle's own, or nothing bends it.
-    if (dot(direction, m.s.geometricNormal) >= 0.0)
-      direction = meetInterface(m.direction, m.s.geometricNormal, ratio).refracted;
-    if (dot(direction, m.s.geometricNormal) >= 0.0) direction = m.direction;
+    vec3 direction = directionBehind(m, border, ratio);
     if (endsHere != 0u)
       addLight(m.pixel, passing * skyRadiance(direction, m.s.roughness) * visibility);
     else

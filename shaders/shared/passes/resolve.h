@@ -1,4 +1,4 @@
-// Bindings of the reflection effect's sums: effects/reflection/resolve.comp.
+// Bindings of the reflection effect's sums: effects/reflection/resolve.comp and resolve_behind.comp.
 #ifndef HALFSILVER_PASSES_RESOLVE_H
 #define HALFSILVER_PASSES_RESOLVE_H
 
@@ -6,5 +6,6 @@
 #define SSBO_DIRECT_LIGHT 11  // LightSum[] by pixel of the batch: direct light on what its rays found
 
 #define IMAGE_REFLECTION 0  // radiance carried by the traced rays; a: 1 where traced
+#define IMAGE_SHADED 0      // deferred radiance, to which that from behind clear surfaces is added
 
 #endif

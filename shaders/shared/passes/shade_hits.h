@@ -8,4 +8,6 @@
 #define SSBO_NEXT_PATHS 12   // RayPath[]
 #define SSBO_NEXT_COUNT 13   // RayCount
 
+#define MOST_CLEAR 8  // refractions and reflections inside on a path, beside its bounces
+
 #endif
