@@ -25,11 +25,12 @@
 #include "passes/shadow_marks.h"
 #include "passes/shadows.h"
 #include "picture.h"
+#include "renderer_screen.h"
 
 namespace halfsilver {
 
-// All that a renderer owns. renderer.cpp draws frames, renderer_lights.cpp finds shadows, renderer_prepare.cpp makes
-// ready for frames, renderer_reads.cpp reads back what they show.
+// All that a renderer owns. renderer.cpp draws frames, renderer_rays.cpp follows their rays, renderer_lights.cpp finds
+// shadows, renderer_prepare.cpp makes ready for frames, renderer_reads.cpp reads back what they show.
 struct Renderer::Impl {
   // Frames that may be under way, and frames whose figures may be: those, and one that has been reported.
   static constexpr std::size_t kFrames = 2, kRecords = kFrames + 1;
@@ -48,6 +49,7 @@ struct Renderer::Impl {
   LightRays lightRays{api};
   InterpolatePass interpolatePass{api};
   RayTallyPass tallyPass{api};
+  ScreenLook screenLook{api};
   Picture picture{api};
   std::unique_ptr<RayEffect> effect;
   std::optional<Effect> effectName;
@@ -67,7 +69,6 @@ struct Renderer::Impl {
   std::vector<std::string> shadowWarnings;
   std::unique_ptr<Tracer> tracer;
   std::optional<Settings> tracerSettings;  // of the tracer, which is null for "none"
-  std::unique_ptr<Tracer> screen;          // of what the screen shows, for effects that look at it
   std::uint32_t tracedBlends = 0;          // FrameConstants::blends of its last frame
 
   // A frame under way, and its figures.
@@ -104,7 +105,6 @@ struct Renderer::Impl {
   void finishBatch(const FrameView& view, Frame& frame, std::size_t number);
   LightRays::Trace tracing(const FrameView& view, const Frame& frame);
   void seeThrough(const FrameView& view, Frame& frame);
-  void lookAtScreen(const FrameView& view, Frame& frame);
   void runPass(const FrameView& view, Frame& frame, RayBatch& batch, RayStep step);
   void begin(const Camera& camera, const Settings& wanted, int width, int height,
              const std::optional<std::uint32_t>& sample = {});
