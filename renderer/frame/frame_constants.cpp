@@ -179,7 +179,7 @@ shared::FrameConstants makeFrameConstants(const Camera& camera, const Bounds& bo
   frame.traces = static_cast<std::uint32_t>(settings.trace.bounces);
   frame.effect = static_cast<std::uint32_t>(settings.trace.effect);
   frame.effectSamples = static_cast<std::uint32_t>(settings.effect.samples);
-  const bool glossy = settings.effect.glossy && settings.trace.effect == Effect::reflection;
+  const bool glossy = settings.effect.glossy && settings.trace.effect == Effect::reflection && traces;
   frame.glossySamples = glossy ? static_cast<std::uint32_t>(settings.effect.samples) : 0;
   frame.roulette = settings.effect.roulette ? 1 : 0;
   frame.layerOpacity = settings.effect.transfer == Transfer::blend ? 1 : settings.effect.opacity;

@@ -2,6 +2,7 @@
 //
 // A kind of light is a range of the list with a loop of its own: first what a light can do at most is found for all of
 // the range, then those that can light the surface are worked off, so that neighbors with few of them are done early.
+#include "lib/bounced_light.glsl"
 #include "lib/brdf.glsl"
 #include "lib/coat.glsl"
 #include "lib/shadow_maps.glsl"
@@ -146,19 +147,6 @@ SkyPart skyPart(Surface s) {
   return SkyPart(irradiance, visibility);
 }
 
-// Light that comes without shadows, dimmed where little of the sky is seen.
-vec3 bouncedIrradiance(vec3 normal, float visibility) {
-  uint first = frame.directLights + frame.skyDirections;
-  vec3 steady = vec3(0.0), open = vec3(0.0);
-  for (uint i = first; i < first + frame.hemispheres; ++i) {
-    vec3 irradiance = lightTexel(i, LIGHT_COLOR).rgb * (0.5 - 0.5 * dot(normal, lightTexel(i, LIGHT_DIRECTION).xyz));
-    float steadyShare = lightTexel(i, LIGHT_HEMISPHERE).x;
-    steady += irradiance * steadyShare;
-    open += irradiance * (1.0 - steadyShare);
-  }
-  return steady + open * visibility;
-}
-
 // What comes from everywhere: the sky's directions and bounced light. rgb: radiance towards the eye; a: share of the
 // sky's light that reaches the surface, 0..1.
 vec4 ambientLighting(Surface s, vec3 toEye) {
@@ -167,8 +155,12 @@ vec4 ambientLighting(Surface s, vec3 toEye) {
   float nv = dot(s.normal, toEye);
   vec3 reflected = skyShare(s.f0, s.roughness, nv);
   vec3 diffuse = s.baseColor * (1.0 - s.metallic) * (1.0 - reflected) * (sky.irradiance + bounce);
-  // Where the sky is hidden a rough surface reflects the bounced light instead (the blend adds the visible sky).
+  // Where the sky is hidden a rough surface reflects the bounced light instead (the blend adds the visible sky). A pixel
+  // that asks the screen has it from there.
   vec3 specular = reflected * bounce * (1.0 - sky.visibility);
+#ifdef ASKS_SCREEN
+  if (asksScreen) specular = vec3(0.0);
+#endif
 #ifdef LOBES
   vec3 fibers = s.sheenColor * sheenAlbedo(max(nv, 0.0), s.sheenRoughness) * (sky.irradiance + bounce);
   diffuse = diffuse * belowSheen(s.sheenColor, s.sheenRoughness, max(nv, 0.0)) + fibers;

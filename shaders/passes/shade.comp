@@ -1,6 +1,11 @@
 // Deferred shading: direct light and sky light of every pixel, without reflections. With SHADOW_MARKS lights that are
 // in doubt at a pixel are left to rays, and the others are what the marks say. With COATS see lib/coat.glsl.
 #include "lib/gbuffer_surface.glsl"
+
+// What the pixel's surface reflects where the sky is hidden comes with GBuffer::seen.
+#define ASKS_SCREEN
+bool asksScreen = false;
+
 #include "lib/lights.glsl"
 #include "lib/sky.glsl"
 #include "shared/passes/shade.h"
@@ -38,6 +43,10 @@ void main() {
   }
   Surface s = surfaceOfPixel(pixel, position.xyz);
   vec3 toEye = normalize(-fromCamera(position.xyz));
+  asksScreen = frame.glossySamples != 0u && !goesOn(texelFetch(gNormal, pixel, 0));
+#ifdef COATS
+  asksScreen = asksScreen && texelFetch(gCoat, pixel, 0).z >= 0.0;  // and not the mirror above it
+#endif
   vec4 lit = directLighting(s, toEye);
 #ifdef SHADOW_MARKS
   if (!s.unlit) lit.rgb += undoubtedRadiance(pixel, s, toEye);

@@ -26,6 +26,8 @@ class GlossyScreenTest : public TracingTest {
       "lib/fresnel.glsl", "return clamp(1.0 - roughness / frame.maxRoughness, 0.0, 1.0);", "return 1.0;"};
   inline static const ShaderEdit kSkyAlone = {"lib/blend.glsl", "if (frame.glossySamples != 0u)",
                                               "if (frame.glossySamples > 1000u)"};
+  inline static const ShaderEdit kBoth = {"passes/shade.comp", "asksScreen = frame.glossySamples != 0u",
+                                          "asksScreen = frame.glossySamples > 1000u"};
   static Settings settings(float maxRoughness) {
     Settings result = settingsWith({{"effect.glossy", "true"}, {"effect.samples", "16"}});
     result.select.maxRoughness = maxRoughness;
@@ -116,6 +118,48 @@ TEST_F(GlossyScreenTest, TheThresholdIsAChoiceOfCostAndNotOfLook) {
     RecordProperty(name, std::to_string(value));
 }
 
+// A rough metal floor in a closed room whose walls shine evenly. What it reflects of them comes from the screen, and
+// what the screen does not show from bounced light: not from both.
+TEST_F(GlossyScreenTest, ARoughFloorInAnEvenRoomIsNotBrighterThanWithAllRaysTraced) {
+  Scene scene;
+  Material floor = plain(vec3(0.8f)), wall = plain(vec3(0));
+  floor.metallic = 1;
+  floor.roughness = 0.7f;
+  wall.specular = 0;
+  wall.emissive = vec3(1);
+  scene.materials = {floor, wall};
+  addBox(scene, vec3(-2), vec3(2), 1, true);
+  addQuad(scene, {0, -1.9f, 0}, {2, 0, 0}, {0, 0, -2}, 0);
+  scene.sky = evenSky(vec3(1));
+  scene.lights = {sun({0, -1, 0}, 200)};  // nothing of it comes in, but it says how bright things are
+  const auto floorOf = [&](float maxRoughness) {
+    Settings wanted = settings(maxRoughness);
+    wanted.shadow.skyDirections = 16;
+    wanted.shadow.resolution = 256;
+    const Frame frame = draw(scene, lookAt({0, 0.5f, 1.8f}, {0, -1.2f, -1}), wanted, kWidth, kHeight);
+    double sum = 0, pixels = 0;
+    for (int y = 6 * kHeight / 10; y < 9 * kHeight / 10; ++y)  // away from the walls, where the sun might leak in
+      for (int x = 3 * kWidth / 10; x < 7 * kWidth / 10; ++x) {
+        EXPECT_GT(frame.at(x, y, "normal.Y"), 0.9f);
+        sum += static_cast<double>(frame.at(x, y, "G"));
+        ++pixels;
+      }
+    EXPECT_GT(pixels, 1000);
+    return sum / pixels;
+  };
+  double truth = 0, twice = 0;
+  withShaders({kAllTraced}, [&] { truth = floorOf(1); });
+  withShaders({kBoth}, [&] { twice = floorOf(0.4f); });
+  const double found = floorOf(0.4f);
+  RecordProperty("found", std::to_string(found));
+  RecordProperty("truth", std::to_string(truth));
+  RecordProperty("with_both", std::to_string(twice));
+  EXPECT_GT(truth, 0.5);
+  EXPECT_LT(found, 1.02 * truth);
+  EXPECT_GT(found, 0.5 * truth);
+  EXPECT_GT(twice, 1.3 * truth) << "or there is nothing to be counted twice";
+}
+
 // What the camera does not see is left to the sky, of which no more is seen than there is.
 TEST_F(GlossyScreenTest, WhatTheScreenDoesNotShowIsTheSky) {
   Scene scene = roughnessRamp();
@@ -125,6 +169,31 @@ TEST_F(GlossyScreenTest, WhatTheScreenDoesNotShowIsTheSky) {
   withShaders({kAllTraced}, [&] { truth = draw(scene, kBefore, settings(1), kWidth, kHeight); });
   const std::vector<double> own = columns(open), expected = columns(truth);
   for (std::size_t x = 20; x < kWidth - 20; ++x) EXPECT_NEAR(own[x], expected[x], 0.04 * expected[x]) << x;
+}
+
+// A frame that is not glossy between two that are makes nothing anew, and where nobody looks there is no memory for it.
+TEST_F(GlossyScreenTest, WhatLooksAtTheScreenIsMadeOnceAndOnlyIfItLooks) {
+  const Scene scene = roughnessRamp();
+  Renderer renderer = makeRenderer(scene);
+  Settings mirrors = settings(0.4f);
+  mirrors.effect.glossy = false;
+  const auto programs = [&] { return renderer.device().programsCompiled + renderer.device().programsCached; };
+  const Frame plain = drawWith(renderer, kBefore, mirrors, kWidth, kHeight);
+  const Frame first = drawWith(renderer, kBefore, settings(0.4f), kWidth, kHeight);
+  const auto made = programs();
+  drawWith(renderer, kBefore, mirrors, kWidth, kHeight);
+  const Frame second = drawWith(renderer, kBefore, settings(0.4f), kWidth, kHeight);
+  EXPECT_EQ(programs(), made);
+  EXPECT_EQ(second.layers.data, first.layers.data);
+
+  const std::size_t seen = std::size_t{16} * kWidth * kHeight;
+  EXPECT_EQ(first.report.memory.gbuffer, plain.report.memory.gbuffer + seen);
+  Settings idle = settings(0.4f);
+  idle.select.mode = SelectMode::none;
+  EXPECT_EQ(drawWith(renderer, kBefore, idle, kWidth, kHeight).report.memory.gbuffer, plain.report.memory.gbuffer);
+  idle = settings(0.4f);
+  idle.trace.method = "none";
+  EXPECT_EQ(drawWith(renderer, kBefore, idle, kWidth, kHeight).report.memory.gbuffer, plain.report.memory.gbuffer);
 }
 
 TEST_F(GlossyScreenTest, PicturesRepeatToTheBitAndBudgetsLeaveOutWhatAddsLittle) {

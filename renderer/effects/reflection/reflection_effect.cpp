@@ -276,6 +276,8 @@ void ReflectionEffect::lookAtScreen(const FrameView& view, const AnswerQueue& sc
     batch.rays.paths.bindStorage(SSBO_PATHS);
     batch.hits.hits.bindStorage(SSBO_HITS);
     bindShaded(view);
+    view.shadows.bind();
+    gbuffer.baseColor.bind(UNIT_BASE_COLOR);
     gbuffer.reflection.bind(UNIT_REFLECTION);
     gbuffer.seen.bindImage(IMAGE_SEEN, GL_WRITE_ONLY);
     api_->BindBuffer(GL_DISPATCH_INDIRECT_BUFFER, batch.rays.count.name());

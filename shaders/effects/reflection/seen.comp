@@ -1,8 +1,10 @@
 // What the screen has answered to the rays of look.comp, pixel by pixel: the light of the pixels that show what they
 // hit, with what was traced there, and the share of those that hit nothing; -1 there if nobody has looked. Rays are added
-// in their order.
-#include "lib/queued_ray.glsl"
+// in their order. Of directions in which the screen shows nothing no more see the sky than do of all; bounced light stands
+// in for what hides it from the others.
 #include "lib/blend.glsl"
+#include "lib/bounced_light.glsl"
+#include "lib/queued_ray.glsl"
 #include "shared/passes/look.h"
 #include "shared/rays.h"
 
@@ -15,14 +17,24 @@ layout(std430, binding = SSBO_HITS) readonly buffer HitBlock { Hit hits[]; };
 layout(binding = UNIT_REFLECTION) uniform sampler2D gReflection;
 layout(binding = IMAGE_SEEN, rgba32f) uniform writeonly image2D seen;
 
-// GBuffer::seen is being made: the sky stands in for what the hit itself would ask the screen.
+// Radiance of what hides the sky from a pixel's surface, as ambientLighting() has it.
+vec3 hidingTheSky(ivec2 pixel, vec3 normal, float visibility) {
+  return bouncedIrradiance(normal, visibility) * (texelFetch(gBaseColor, pixel, 0).a / 3.14159265358979);
+}
+
+// GBuffer::seen is being made: the sky and bounced light stand in for what the hit itself would ask the screen.
 vec3 shownAt(vec3 position) {
   vec4 clip = frame.viewProjection * vec4(position, 1.0);
   ivec2 size = ivec2(frame.width, frame.height);
   ivec2 pixel = clamp(ivec2(floor((0.5 * clip.xy / clip.w + 0.5) * vec2(size))), ivec2(0), size - 1);
-  Blend blend = blendOf(pixel, texelFetch(gPosition, pixel, 0), texelFetch(gNormal, pixel, 0));
-  vec4 traced = texelFetch(gReflection, pixel, 0);
-  return blend.base + blend.share * (traced.a > 0.0 ? traced.rgb : blend.sky);
+  vec4 at = texelFetch(gPosition, pixel, 0), normal = texelFetch(gNormal, pixel, 0);
+  Blend blend = blendOf(pixel, at, normal);
+  vec4 traced = texelFetch(gReflection, pixel, 0), material = texelFetch(gMaterial, pixel, 0);
+  vec3 light = blend.base + blend.share * (traced.a > 0.0 ? traced.rgb : blend.sky);
+  if (at.w <= 0.0 || material.a < 0.0 || goesOn(normal)) return light;
+  Mirror mirror = mirrorOf(pixel, material, normal.xyz, -normalize(fromCamera(at.xyz)));
+  float visibility = texelFetch(gShaded, pixel, 0).a;
+  return light + mirror.skyShare * (1.0 - visibility) * hidingTheSky(pixel, normal.xyz, visibility);
 }
 
 void main() {
@@ -40,6 +52,10 @@ void main() {
     Ray ray = queuedRay(i, RAYS_STORED);
     sum.rgb += weight * shownAt(ray.origin + hit.t * ray.direction);
   }
-  uint pixel = paths[first].pixel;
-  imageStore(seen, ivec2(pixel % frame.width, pixel / frame.width), sum / float(frame.glossySamples));
+  sum /= float(frame.glossySamples);
+  uint number = paths[first].pixel;
+  ivec2 pixel = ivec2(number % frame.width, number / frame.width);
+  float visibility = texelFetch(gShaded, pixel, 0).a;
+  sum.rgb += max(sum.a - visibility, 0.0) * hidingTheSky(pixel, texelFetch(gNormal, pixel, 0).xyz, visibility);
+  imageStore(seen, pixel, sum);
 }
