@@ -77,6 +77,41 @@ TEST_F(CoatTest, AllMethodsAndShadowsByRaysShowIt) {
         << shadows;
 }
 
+// Under the sun, over bumps and seen in a mirror: the highlight is where the coat is even, by every method and however
+// shadows are found.
+TEST_F(CoatTest, ItsHighlightsAreSeenInMirrorsWhoeverTracesAndLights) {
+  const auto seen = [this](const char* method, const char* shadows, bool bumpy, float coat) {
+    Scene scene;
+    scene.materials = {black(coat, 0.4f), mirrorMaterial()};
+    scene.materials[1].mirror = 1.0f;
+    scene.textures = {plainTexture(1, 1, {220, 128, 180, 255}, false)};
+    if (bumpy) scene.materials[0].normalTexture.texture = 0;
+    addQuad(scene, {0, 0, 0}, {9, 0, 0}, {0, 0, -9}, 0);
+    addQuad(scene, {0, 1, -2}, {9, 0, 0}, {0, 1, 0}, 1);
+    scene.sky = evenSky(vec3(0));
+    scene.lights = {sun({0, -1, -4}, 3)};
+    middle(scene, lookAt({0, 1, 1}, {0, 0.3f, -2}),
+           settingsWith({{"trace.method", method}, {"shadow.method", shadows}}));
+    return frame_.plane("reflection.R");
+  };
+  const std::vector<float> even = seen("identity", "maps", false, 1), without = seen("identity", "maps", true, 0);
+  const float brightest = *std::max_element(even.begin(), even.end());
+  EXPECT_GT(brightest, 0.1f);
+  EXPECT_LT(*std::max_element(without.begin(), without.end()), 0.2f * brightest) << "it is the coat's";
+  for (const char* method : {"identity", "exact", "bvh", "attributes"})
+    for (const char* shadows : {"maps", "rays", "refined"}) {
+      const std::vector<float> found = seen(method, shadows, true, 1);
+      const bool stored = method == std::string("attributes");  // which know one normal of a surface
+      std::size_t wrong = 0;
+      for (std::size_t i = 0; i < found.size(); ++i)
+        wrong += std::abs(found[i] - even[i]) > 0.03f * brightest + 0.02f * even[i];
+      if (stored)
+        EXPECT_GT(*std::max_element(found.begin(), found.end()), 0.02f * brightest) << shadows;
+      else
+        EXPECT_LT(wrong, found.size() / 100) << method << " " << shadows;
+    }
+}
+
 // The rays follow the mirror whose share is larger; the other one has the sky.
 TEST_F(CoatTest, LeavesTheRaysToABetterMirrorBelow) {
   Material metal = plain(vec3(0.9f));

@@ -214,6 +214,36 @@ TEST_F(LobesTest, OnlyScenesThatHaveThemPayForThem) {
 
 class LobesInMirrors : public RenderTest {};
 
+// A coat over fibers over brushed metal, in pixels: each layer takes from those below it.
+TEST_F(LobesInMirrors, ACoatLiesOverFibersAndBrushedMetal) {
+  Material material = metal(0.6f, 0.8f, 0.6f);
+  material.sheenColor = {0.5f, 0.25f, 0.1f};
+  material.sheenRoughness = 0.5f;
+  material.coat = 0.7f;
+  material.coatRoughness = 0.45f;
+  Settings settings = settingsWith({});
+  settings.select.maxRoughness = 0.5f;  // a tenth of the coat's mirror is traced
+  double most = 0;
+  for (const vec3& eye : kEyes)
+    for (const vec3& direction : kSuns) {
+      const Frame frame = draw(plate(material, direction, 3), lookAt(eye, {0, 0, 0}), settings, 9, 9);
+      const dvec3 v = onPlate(eye), l = onPlate(-direction), h = glm::normalize(v + l);
+      const auto schlick = [](double cosine) { return 0.04 + 0.96 * std::pow(1 - cosine, 5); };
+      const double film = 0.7 * schlick(v.z), coatAlpha = 0.45 * 0.45;
+      const double highlight =
+          0.7 * (1 - film * 0.1) * 3 * l.z * schlick(glm::dot(v, h)) * brushed(h, v, l, coatAlpha, coatAlpha);
+      const double fewest = std::max(albedo(v.z, 0.5), albedo(l.z, 0.5));
+      for (int c = 0; c < 3; ++c) {
+        const double below = metalRadiance(material, v, l, 3) * (1 - 0.5 * fewest) +
+                             3 * l.z * static_cast<double>(material.sheenColor[c]) * fibers(h.z, v.z, l.z, 0.5);
+        const double expected = (1 - film) * below + highlight;
+        EXPECT_NEAR(frame.at(4, 4, c == 0 ? "R" : c == 1 ? "G" : "B"), expected, 0.015 * expected + 1e-3) << c;
+        most = std::max(most, highlight / expected);
+      }
+    }
+  EXPECT_GT(most, 0.1) << "the coat's highlight has a say";
+}
+
 // A mirror at x = 0 shows the plate to its right, and a method that stores no attributes sees it as pixels are.
 TEST_F(LobesInMirrors, WhatRaysFindIsLitAsPixelsAre) {
   const vec3 sunlight(-0.5f, -1, 0.3f);  // the mirror casts its shadow away from the plate
