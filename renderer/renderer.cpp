@@ -218,6 +218,8 @@ void Renderer::Impl::finish(const Target& target) {
     held.queues += each.bytes() - each.gbuffer.bytes();
     held.peak += each.bytes();
   }
+  held.largestBuffer = api.largestBuffer->bytes;
+  held.largestBufferName = api.largestBuffer->label;
   record.end(frame, tracer.get(), held, std::move(warnings));
   shown = work.frame;
   reported = work.record;

@@ -105,6 +105,8 @@ inline constexpr auto kFields<MemoryReport> = std::tuple{field("voxels", &Memory
                                                          field("queues", &MemoryReport::queues),
                                                          field("pictures", &MemoryReport::pictures),
                                                          field("transient", &MemoryReport::transient),
+                                                         field("largest_buffer", &MemoryReport::largestBuffer),
+                                                         field("largest_buffer_name", &MemoryReport::largestBufferName),
                                                          field("peak", &MemoryReport::peak)};
 
 // What the last frame of a point reported.

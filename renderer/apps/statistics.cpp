@@ -184,6 +184,8 @@ Json toJson(const RunStatistics& s) {
                     {"queues", memory.queues},
                     {"pictures", memory.pictures},
                     {"transient", memory.transient},
+                    {"largest_buffer", memory.largestBuffer},
+                    {"largest_buffer_name", memory.largestBufferName},
                     {"peak", memory.peak}};
   json["time_ms"] = Json::object();
   for (const StageSummary& stage : s.stages)
@@ -262,7 +264,8 @@ std::string toTable(const RunStatistics& s) {
   table += "of the peak G-buffer " + megabytes(memory.gbuffer) + ", geometry " + megabytes(memory.geometry) +
            ", textures " + megabytes(memory.textures) + ", shadow maps " + megabytes(memory.shadowMaps) +
            ", queues of rays " + megabytes(memory.queues) +
-           (memory.pictures ? ", samples and history " + megabytes(memory.pictures) : "") + "\n";
+           (memory.pictures ? ", samples and history " + megabytes(memory.pictures) : "") + "; the largest buffer, " +
+           memory.largestBufferName + ", " + megabytes(memory.largestBuffer) + "\n";
   if (memory.grid[0] > 0) table += format("voxels      %d x %d x %d\n", memory.grid[0], memory.grid[1], memory.grid[2]);
   if (memory.fragments)
     table += format("fragments   %llu generated, %llu stored (x %llu, y %llu, z %llu), %.1f bytes each\n",

@@ -36,6 +36,7 @@ Buffer::Buffer(const Api& api, std::size_t bytes, const char* label, BufferUse u
                                        std::to_string(bytes >> 20) + " MiB");
   }
   api.ObjectLabel(GL_BUFFER, name_, -1, label);
+  if (use != BufferUse::readback && bytes > api.largestBuffer->bytes) *api.largestBuffer = {bytes, label};
 }
 
 Buffer::~Buffer() {

@@ -137,7 +137,7 @@ TEST(Render, StatisticsHaveTheContractsSchema) {
   const auto& memory = json["memory"];
   for (const char* key :
        {"voxels", "heads", "pool_reserved", "pool_used", "fragments", "fragments_stored", "structure_total", "gbuffer",
-        "geometry", "textures", "shadow_maps", "queues", "transient", "peak"})
+        "geometry", "textures", "shadow_maps", "queues", "transient", "peak", "largest_buffer"})
     EXPECT_TRUE(memory[key].is_number_unsigned()) << key;
   EXPECT_LE(memory["pool_used"], memory["pool_reserved"]);
   EXPECT_LE(memory["fragments_stored"], memory["fragments"]);
@@ -145,6 +145,8 @@ TEST(Render, StatisticsHaveTheContractsSchema) {
                                                                 memory["heads"].get<std::uint64_t>() +
                                                                 memory["pool_reserved"].get<std::uint64_t>());
   EXPECT_GT(memory["peak"], memory["structure_total"]);
+  EXPECT_GE(memory["largest_buffer"], memory["pool_reserved"]);
+  EXPECT_NE(memory["largest_buffer_name"], "");
   for (const char* stage :
        {"shadow", "gbuffer", "select", "voxelize", "build", "trace", "shade", "composite", "frame"}) {
     const auto& time = json["time_ms"][stage];

@@ -96,9 +96,9 @@ TEST(Statistics, JsonHasTheContractsNames) {
   const auto json = nlohmann::json::parse(dump(toJson(s)));
   for (const char* key : {"vendor", "renderer", "version", "context"}) EXPECT_TRUE(json["device"].contains(key)) << key;
   for (const char* key : {"file", "triangles", "materials"}) EXPECT_TRUE(json["scene"].contains(key)) << key;
-  for (const char* key :
-       {"voxels", "heads", "pool_reserved", "pool_used", "fragments", "fragments_stored", "bytes_per_fragment",
-        "structure_total", "gbuffer", "geometry", "textures", "shadow_maps", "queues", "transient", "peak"})
+  for (const char* key : {"voxels", "heads", "pool_reserved", "pool_used", "fragments", "fragments_stored",
+                          "bytes_per_fragment", "structure_total", "gbuffer", "geometry", "textures", "shadow_maps",
+                          "queues", "transient", "peak", "largest_buffer", "largest_buffer_name"})
     EXPECT_TRUE(json["memory"].contains(key)) << key;
   for (const std::string& stage : stageNames())
     for (const char* key : {"median", "min", "max", "runs"})

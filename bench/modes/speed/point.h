@@ -35,6 +35,8 @@ struct SpeedResult : FrameRecord {
   FrameCost warm;    // nothing has changed since the last one
   FrameCost camera;  // has moved by 5 cm
   FrameCost object;  // 1 % of the triangles have moved by 5 cm
+  FrameCost tenth;   // 10 %
+  FrameCost everything;
   double raysPerSecond = 0;
   // The same of a core: by the CPU time of the trace on software rasterizers, by the threads of CPU rays; nothing on a
   // GPU.
@@ -48,6 +50,7 @@ inline constexpr auto kFields<SpeedResult> = std::tuple_cat(
     kFields<FrameRecord>,
     std::tuple{field("first", &SpeedResult::first), field("warm", &SpeedResult::warm),
                field("camera", &SpeedResult::camera), field("object", &SpeedResult::object),
+               field("tenth", &SpeedResult::tenth), field("everything", &SpeedResult::everything),
                field("rays_per_second", &SpeedResult::raysPerSecond),
                field("rays_per_core_second", &SpeedResult::raysPerCoreSecond),
                field("build_ms_per_million_triangles", &SpeedResult::buildMsPerMillion),

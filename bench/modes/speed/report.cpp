@@ -74,6 +74,18 @@ Table structureTable(SpeedPoints points) {
   return table;
 }
 
+Table motionTable(SpeedPoints points) {
+  Table table{{"Scene", "Method", "Nothing moves, ms", "1 % of the triangles", "10 %", "all", "Structure, MB"}, {}};
+  for (const SpeedPoint& point : points) {
+    std::vector<std::string> row = {point.scene.file, point.preset};
+    for (const FrameCost* cost : {&point.warm, &point.object, &point.tenth, &point.everything})
+      row.push_back(number(structureTime(cost->times) + cost->times.trace.min, 1));
+    row.push_back(number(1e-6 * static_cast<double>(point.memory.structureTotal), 2));
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
 Table callTable(SpeedPoints points) {
   Table table{{"Scene", "Method", "Waits, first frame", "warm", "camera moved", "object moved",
                "Dispatches, first frame", "warm", "Draws, first frame", "warm"},
@@ -109,6 +121,11 @@ constexpr const char* kStructure =
     "Build: voxelization and structure, the least of several frames. The camera moves by 5 cm per frame to the side, "
     "an object of 1 % of the triangles by 5 cm upward.";
 
+constexpr const char* kMotion =
+    "Voxelization, structure and trace together, the least of several frames, in each of which so many of the "
+    "triangles "
+    "have moved by 5 cm upward.";
+
 constexpr const char* kCalls =
     "Waits: calls that let the host wait for the GPU; each may be a stall on a real driver. The report that follows a "
     "frame is not counted.";
@@ -122,10 +139,12 @@ struct Kind {
   const char* name;
   FrameCost SpeedResult::*cost;
 };
-constexpr std::array<Kind, 4> kKinds{{{"first", &SpeedResult::first},
+constexpr std::array<Kind, 6> kKinds{{{"first", &SpeedResult::first},
                                       {"warm", &SpeedResult::warm},
                                       {"camera", &SpeedResult::camera},
-                                      {"object", &SpeedResult::object}}};
+                                      {"object", &SpeedResult::object},
+                                      {"tenth", &SpeedResult::tenth},
+                                      {"everything", &SpeedResult::everything}}};
 
 }  // namespace
 
@@ -202,6 +221,7 @@ std::string speedBody(SpeedPoints points, const std::vector<Figure>& pictures, c
           paragraph(kFrames);
   body += heading("The first frame") + chartFigure(first, logarithmic) + toHtml(stageTable(points, FrameKind::first));
   body += heading("Structures and moves") + toHtml(structureTable(points)) + paragraph(kStructure);
+  body += heading("Rays while triangles move") + toHtml(motionTable(points)) + paragraph(kMotion);
   body += heading("Waits, dispatches and draws of a frame") + toHtml(callTable(points)) + paragraph(kCalls);
   return body;
 }

@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kFrames = 7, kQuickFrames = 2;  // of each kind
 constexpr float kMove = 0.05f;                // meters
-constexpr std::size_t kMovingShare = 100;     // one of so many triangles
+constexpr std::size_t kPercent = 100;
 
 std::vector<std::string> presetsOf(const Request& request, bool exact) {
   std::vector<std::string> presets = {kDefaultPreset, "bvh", "kastrati2017"};
@@ -24,12 +24,12 @@ std::vector<std::string> presetsOf(const Request& request, bool exact) {
   return chosenPresets(request, presets);
 }
 
-// Vertices of a hundredth of the triangles, which stand together in the scene's order.
-std::vector<VertexRange> movingVertices(const Scene& scene) {
-  const std::size_t count = std::max<std::size_t>(1, scene.triangles.size() / kMovingShare);
-  const std::size_t first = scene.triangles.size() / 2;
+// Vertices of so many percent of the triangles, which stand together in the scene's order.
+std::vector<VertexRange> movingVertices(const Scene& scene, std::size_t share) {
+  const std::size_t count = std::max<std::size_t>(1, scene.triangles.size() * share / kPercent);
+  const std::size_t first = std::min(scene.triangles.size() / 2, scene.triangles.size() - count);
   std::set<std::uint32_t> vertices;
-  for (std::size_t i = first; i < std::min(first + count, scene.triangles.size()); ++i)
+  for (std::size_t i = first; i < first + count; ++i)
     vertices.insert(scene.triangles[i].vertices.begin(), scene.triangles[i].vertices.end());
   std::vector<VertexRange> ranges;
   for (const std::uint32_t vertex : vertices)
@@ -45,7 +45,7 @@ class Measurement {
   Measurement(bool quick, const OutputFolder& folder, Workbench& bench)
       : frames_(quick ? kQuickFrames : kFrames), folder_(&folder), bench_(&bench) {}
 
-  double frames() const { return 4.0 * frames_ + 4; }
+  double frames() const { return 6.0 * frames_ + 6; }
 
   SpeedResult measure(BenchScene& scene, const Settings& settings) {
     RunStatistics run = bench_->describe(scene, settings);
@@ -59,7 +59,9 @@ class Measurement {
     static_cast<FrameRecord&>(result) = frameRecord(run);
     addRates(run, cpu, result);
     result.camera = costOfCamera(scene, run);
-    result.object = costOfObject(scene, run);
+    result.object = costOfMoves(scene, run, 1);
+    result.tenth = costOfMoves(scene, run, 10);
+    result.everything = costOfMoves(scene, run, kPercent);
     result.search = searchOf(scene, settings);
     return result;
   }
@@ -98,8 +100,8 @@ class Measurement {
     return cost;
   }
 
-  FrameCost costOfObject(BenchScene& scene, RunStatistics& run) {
-    const std::vector<VertexRange> moving = movingVertices(scene.model.scene);
+  FrameCost costOfMoves(BenchScene& scene, RunStatistics& run, std::size_t share) {
+    const std::vector<VertexRange> moving = movingVertices(scene.model.scene, share);
     const std::vector<Vertex> before = scene.model.scene.vertices;
     const FrameCost cost = costOf(scene, run, [&] {
       for (const VertexRange& range : moving)

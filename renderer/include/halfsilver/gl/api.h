@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -21,6 +22,12 @@ struct LinkedProgram;
 struct ProgramCounts {
   std::uint64_t compiled = 0;  // from their sources
   std::uint64_t cached = 0;    // from what an earlier start has kept, see gl/program_cache.h
+};
+
+// The largest buffer of those that shaders read.
+struct LargestBuffer {
+  std::size_t bytes = 0;
+  std::string label;
 };
 
 // What the device offers. Programs are checked against the storage blocks at link time (see gl/program.h).
@@ -51,6 +58,9 @@ struct Api {
 
   // Programs made so far. Copies of the table share the counts.
   std::shared_ptr<ProgramCounts> programCounts = std::make_shared<ProgramCounts>();
+
+  // Of all made so far, to be held against Limits::storageBlockBytes. Copies of the table share it.
+  std::shared_ptr<LargestBuffer> largestBuffer = std::make_shared<LargestBuffer>();
 
   // How often the host has been made to wait for the GPU (see gl/readback.h). Copies of the table share the count.
   std::shared_ptr<std::uint64_t> hostWaits = std::make_shared<std::uint64_t>(0);
