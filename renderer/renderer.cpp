@@ -85,7 +85,7 @@ void Renderer::Impl::start(const Work& work, const Camera& camera, const Setting
   useTracer(wanted);
   useEffect(wanted.trace.effect);
   if (rig) posePass.run(*rig, scene, wanted.scene.posing, record.profiler());
-  drawShadows(camera, wanted, record.profiler());
+  drawShadows(camera, static_cast<float>(size.x) / static_cast<float>(size.y), wanted, record.profiler());
   const PictureUse use = picture.begin(camera, wanted, size, sample);
   shared::FrameConstants constants =
       makeFrameConstants(camera, scene.extents.bounds(), sky, wanted, size.x, size.y, shadows.ranges, use.jitter);

@@ -98,7 +98,7 @@ struct Renderer::Impl {
   bool lightsByRays(const Settings& wanted) const;
   bool marksShadows(const Settings& wanted) const;
   ShadowSettings shadowsOf(const Settings& wanted) const;
-  void drawShadows(const Camera& camera, const Settings& wanted, gl::Profiler& profiler);
+  void drawShadows(const Camera& camera, float aspect, const Settings& wanted, gl::Profiler& profiler);
   void markShadows(const FrameView& view, const Settings& wanted, GBuffer& gbuffer);
   std::uint32_t maxRays(const Settings& wanted, const shared::FrameConstants& frame) const;
   void submitBatch(const FrameView& view, Frame& frame, std::size_t number);

@@ -20,12 +20,13 @@ ShadowSettings Renderer::Impl::shadowsOf(const Settings& wanted) const {
   return used;
 }
 
-void Renderer::Impl::drawShadows(const Camera& camera, const Settings& wanted, gl::Profiler& profiler) {
+void Renderer::Impl::drawShadows(const Camera& camera, float aspect, const Settings& wanted, gl::Profiler& profiler) {
   const ShadowSettings used = shadowsOf(wanted);
   // Parallel rays may start anywhere on their way.
   const glm::vec3& from = camera.parallelHeight > 0 ? camera.target : camera.eye;
-  const ShadowBoxes boxes =
-      shadowBoxes(scene.clusters.all(), scene.extents.bounds(), shadowPass.resolutionOf(used), from);
+  ShadowBoxes boxes = shadowBoxes(scene.clusters.all(), scene.extents.bounds(), shadowPass.resolutionOf(used), from);
+  if (used.projection == ShadowProjection::perspective)
+    boxes.seen = visibleBody(camera, aspect, scene.extents.bounds());
   if (shadowSettings == used && shadowsShow == boxes) return;
   shadowSettings.reset();
   shadowWarnings = shadowPass.run(scene, lights, sky, used, boxes, shadowChange, shadows, profiler);

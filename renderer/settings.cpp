@@ -25,6 +25,7 @@ constexpr auto choiceNames(TraceStage) { return std::array{"compute", "fragment"
 constexpr auto choiceNames(Effect) { return std::array{"reflection", "whitted", "occlusion", "path", "layers"}; }
 constexpr auto choiceNames(Transfer) { return std::array{"xray", "surface", "blend"}; }
 constexpr auto choiceNames(ShadowMethod) { return std::array{"maps", "rays", "refined"}; }
+constexpr auto choiceNames(ShadowProjection) { return std::array{"uniform", "perspective"}; }
 constexpr auto choiceNames(ToneMap) { return std::array{"filmic", "none"}; }
 constexpr auto choiceNames(Antialiasing) { return std::array{"none", "fxaa", "temporal"}; }
 
@@ -111,6 +112,8 @@ void visitAll(S& s, Visitor&& visit) {
   visit("effect.transfer", s.effect.transfer, 0, 0, "what a layer adds to the light behind it and lets through");
   visit("effect.opacity", s.effect.opacity, 0, 1, "of a layer that is seen straight on");
   visit("shadow.method", s.shadow.method, 0, 0, "how shadows of direct lights are found");
+  visit("shadow.projection", s.shadow.projection, 0, 0,
+        "how maps of directional lights lie: kept, or finer near the camera and drawn anew when it moves");
   visit("shadow.samples", s.shadow.samples, 1, 64, "rays to a light that has an extent");
   visit("shadow.kernel", s.shadow.kernel, 1, 31,
         "pixels along the square around a shadow's edge that rays decide, odd");

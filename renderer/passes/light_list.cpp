@@ -178,22 +178,34 @@ struct Shares {
   int directions = 0;
 };
 
-// A light without shadows is worse than one whose maps are coarse: boxes go until the layers suffice for all lights,
-// those around the eye first (the largest), then the core. The whole stays.
-void keepRoomForLights(std::span<const Light> lights, const LightListLimits& limits, std::size_t around,
-                       std::vector<Bounds>& nested, std::vector<std::string>& warnings) {
+// What the maps of a directional light show, each a part of the next, the last one all.
+struct Nested {
+  const VisibleBody* seen = nullptr;  // the first's, in perspective
+  std::vector<Bounds> boxes;
+
+  std::size_t layers() const { return boxes.size() + (seen ? 1 : 0); }
+};
+
+// A light without shadows is worse than one whose maps are coarse: maps go until the layers suffice for all lights,
+// those around the eye first (the largest), then what the camera sees, then the core. The whole stays.
+void keepRoomForLights(std::span<const Light> lights, const LightListLimits& limits, std::size_t around, Nested& nested,
+                       std::vector<std::string>& warnings) {
   const auto wanted = [&] {
     int layers = 0;
-    for (const Light& light : lights) layers += layersOf(light, nested.size());
+    for (const Light& light : lights) layers += layersOf(light, nested.layers());
     return layers;
   };
-  const std::size_t all = nested.size();
-  while (limits.mapsOfLights && nested.size() > 1 && wanted() > limits.layers) {
+  const std::size_t all = nested.layers();
+  while (limits.mapsOfLights && nested.layers() > 1 && wanted() > limits.layers) {
+    if (around == 0 && nested.seen) {
+      nested.seen = nullptr;
+      continue;
+    }
     const std::size_t last = around > 0 ? --around : 0;
-    nested.erase(nested.begin() + static_cast<std::ptrdiff_t>(last));
+    nested.boxes.erase(nested.boxes.begin() + static_cast<std::ptrdiff_t>(last));
   }
-  if (nested.size() < all)
-    warnings.push_back("shadow maps: room for " + std::to_string(nested.size()) + " of " + std::to_string(all) +
+  if (nested.layers() < all)
+    warnings.push_back("shadow maps: room for " + std::to_string(nested.layers()) + " of " + std::to_string(all) +
                        " maps of a directional light");
 }
 
@@ -274,10 +286,9 @@ shared::GpuLight makeLight(vec3 direction, const vec3& color) {
   return light;
 }
 
-// `nested`: the boxes of a directional light's maps, the last of which is all.
-void addLight(LightList& list, std::span<const Bounds> nested, const Bounds& core, const Light& source, bool shadowed,
+void addLight(LightList& list, const Nested& nested, const Bounds& core, const Light& source, bool shadowed,
               int resolution) {
-  const Bounds& bounds = nested.back();
+  const Bounds& bounds = nested.boxes.back();
   const float length = glm::length(source.direction);
   const vec3 direction = length > 0 ? source.direction / length : vec3(0, -1, 0);
   shared::GpuLight light = makeLight(direction, source.color * source.intensity);
@@ -297,14 +308,17 @@ void addLight(LightList& list, std::span<const Bounds> nested, const Bounds& cor
     return;
   }
   if (source.type == LightType::directional) {
-    for (int layer = 0; layer < static_cast<int>(nested.size()); ++layer)
-      addView(list, light, layer,
-              fitOrthographic(bounds, nested[static_cast<std::size_t>(layer)], direction, resolution),
-              list.layers + layer, whole, resolution);
+    int layer = 0;
+    const auto add = [&](const Fit& fit) {
+      addView(list, light, layer, fit, list.layers + layer, whole, resolution);
+      ++layer;
+    };
+    if (nested.seen) add({fitLightSpace(bounds, *nested.seen, direction, resolution, kMargin)});
+    for (const Bounds& box : nested.boxes) add(fitOrthographic(bounds, box, direction, resolution));
   } else {
     // Room for the filter beyond the cone or the cube's edge.
     const float room = 1 + 2.0f * static_cast<float>(kMargin) / static_cast<float>(resolution);
-    if (layersOf(source, nested.size()) == 1) {
+    if (layersOf(source, nested.layers()) == 1) {
       const float spread = room * std::tan(std::max(source.outerConeAngle, 0.01f));
       addView(list, light, 0, fitPerspective(bounds, core, source, direction, side, spread, resolution), list.layers,
               whole, resolution);
@@ -318,7 +332,7 @@ void addLight(LightList& list, std::span<const Bounds> nested, const Bounds& cor
       }
     }
   }
-  list.layers += layersOf(source, nested.size());
+  list.layers += layersOf(source, nested.layers());
   list.lights.push_back(light);
 }
 
@@ -372,13 +386,17 @@ void addHemisphere(LightList& list, const vec3& from, const vec3& irradiance, fl
 LightList makeLightList(const Bounds& sceneBounds, std::span<const Light> lights, const Sky& sky,
                         const LightListLimits& limits, const ShadowBoxes& boxes) {
   const Bounds bounds = solid(sceneBounds), core = boxes.core.empty() ? bounds : solid(boxes.core);
-  std::vector<Bounds> nested;
-  for (const Bounds& box : boxes.around) nested.push_back(solid(box));
-  if (!boxes.core.empty()) nested.push_back(core);
-  nested.push_back(bounds);
+  Nested nested;
+  if (boxes.seen.corners.empty())
+    for (const Bounds& box : boxes.around) nested.boxes.push_back(solid(box));
+  else
+    nested.seen = &boxes.seen;
+  const std::size_t around = nested.boxes.size();
+  if (!boxes.core.empty()) nested.boxes.push_back(core);
+  nested.boxes.push_back(bounds);
   LightList list;
-  keepRoomForLights(lights, limits, boxes.around.size(), nested, list.warnings);
-  const Shares shares = share(lights, limits, nested.size(), list.warnings);
+  keepRoomForLights(lights, limits, around, nested, list.warnings);
+  const Shares shares = share(lights, limits, nested.layers(), list.warnings);
   for (std::size_t i = 0; i < lights.size(); ++i)
     addLight(list, nested, core, lights[i], i < shares.shadowed, limits.resolution);
   list.ranges.direct = static_cast<std::uint32_t>(lights.size());

@@ -34,7 +34,8 @@ struct LightListLimits {
 // that is not enough, the last lights cast no shadows. The warnings name both.
 //
 // A directional light has a layer for each of the `boxes`, of what lies there or casts shadows there, before that of
-// the whole scene; lights do not begin farther away than the core asks for. Spots wider than 80 degrees have six
+// the whole scene, or one in perspective of what the camera sees in their place (`boxes.seen`); lights do not begin
+// farther away than the core asks for. Spots wider than 80 degrees have six
 // layers.
 LightList makeLightList(const Bounds& bounds, std::span<const Light> lights, const Sky& sky,
                         const LightListLimits& limits, const ShadowBoxes& boxes = {});

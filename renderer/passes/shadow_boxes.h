@@ -6,6 +6,7 @@
 
 #include <halfsilver/bounds.h>
 #include <halfsilver/draw_clusters.h>
+#include "passes/visible_body.h"
 
 namespace halfsilver {
 
@@ -14,6 +15,7 @@ namespace halfsilver {
 struct ShadowBoxes {
   Bounds core;                 // where nearly all triangles are, if a few large ones reach far beyond; else empty
   std::vector<Bounds> around;  // around the eye, one within the next; none if texels are small enough without
+  VisibleBody seen;            // for a map in perspective, which stands for those around the eye; else empty
 
   bool operator==(const ShadowBoxes&) const = default;
 };

@@ -91,6 +91,7 @@ ReachedBy reachedBy(uint light, Surface s) {
   mat4 worldToMap = shadowMatrix(light, face);
   vec4 place = worldToMap * vec4(receiver, 1.0);
   vec2 gradient = positional ? vec2(0.0) : planeGradient(worldToMap, s.geometricNormal);
+  if (!positional && isWarped(worldToMap)) gradient = warpedGradient(worldToMap, place, s.geometricNormal);
   float lit = sharpShadow(place.xyz / place.w, shadow.z + float(face), gradient);
   if (shadow.z < 0.0 || place.w <= 0.0) lit = 1.0;
   return ReachedBy(toLight, color, lit);

@@ -74,6 +74,23 @@ vec2 planeGradient(mat4 worldToMap, vec3 normal) {
   return slope / vec2(textureSize(shadowMaps, 0).xy);
 }
 
+// Whether light stays parallel in a map whose texels do not (passes/visible_body.h).
+bool isWarped(mat4 worldToMap) { return worldToMap[0].w != 0.0 || worldToMap[1].w != 0.0 || worldToMap[2].w != 0.0; }
+
+// The same of such a map at one place of it, where it changes by these rows per meter.
+vec2 warpedGradient(mat4 worldToMap, vec4 place, vec3 normal) {
+  mat4 m = worldToMap;
+  vec3 w = vec3(m[0].w, m[1].w, m[2].w);
+  vec3 u = vec3(m[0].x, m[1].x, m[2].x) - place.x / place.w * w;
+  vec3 v = vec3(m[0].y, m[1].y, m[2].y) - place.y / place.w * w;
+  vec3 z = vec3(m[0].z, m[1].z, m[2].z) - place.z / place.w * w;
+  // Ways along which one of the three changes alone, times the same number.
+  vec3 alongU = cross(v, z), alongV = cross(z, u), alongZ = cross(u, v);
+  float turned = dot(z, alongZ) < 0.0 ? -1.0 : 1.0;
+  float towards = max(-turned * dot(normal, alongZ), 1e-3 * length(alongZ));
+  return turned * vec2(dot(normal, alongU), dot(normal, alongV)) / (towards * vec2(textureSize(shadowMaps, 0).xy));
+}
+
 // A point for a perspective map: moved along its normal by as much as the filter's reach can rise above its plane.
 // `texel`: width of a shadow texel at distance 1.
 vec3 liftedReceiver(vec3 position, vec3 normal, vec3 toLight, float distanceToLight, float texel) {
@@ -95,8 +112,9 @@ int nestedLayer(uint light, vec3 position, int layers) {
   const float FILTER = 3.0;  // texels
   float edge = 1.0 - 2.0 * FILTER / float(textureSize(shadowMaps, 0).x);
   for (int layer = 0; layer < layers - 1; ++layer) {
-    vec2 fromMiddle = abs(2.0 * (shadowMatrix(light, layer) * vec4(position, 1.0)).xy - 1.0);
-    if (max(fromMiddle.x, fromMiddle.y) <= edge) return layer;
+    vec4 place = shadowMatrix(light, layer) * vec4(position, 1.0);
+    vec2 fromMiddle = abs(2.0 * place.xy / place.w - 1.0);
+    if (place.w > 0.0 && max(fromMiddle.x, fromMiddle.y) <= edge) return layer;
   }
   return layers - 1;
 }

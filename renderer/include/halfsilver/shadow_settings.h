@@ -11,8 +11,15 @@ enum class ShadowMethod {
   refined  // rays from what reflections show and from pixels that are near an edge of a map's shadow, else maps
 };
 
+// How the map of a directional light lies.
+enum class ShadowProjection {
+  uniform,     // over the whole scene, kept while the camera moves
+  perspective  // a second one over what the camera sees, finer near it and drawn anew when it moves
+};
+
 struct ShadowSettings {
   ShadowMethod method = ShadowMethod::maps;
+  ShadowProjection projection = ShadowProjection::uniform;
   int resolution = 864;    // texels, of each shadow map, 16..8192
   int skyDirections = 10;  // shadowed directions that stand for the sky, 0..32; 0: unshadowed sky light
   int samples = 8;         // rays to a light that has an extent, 1..64
