@@ -15,7 +15,7 @@ using glm::vec4;
 
 // What is nearer than this share of the farthest counts as that far: the body may begin at the eye, but no map can be
 // infinitely fine there.
-constexpr float kNearest = 1.0f / 64;
+constexpr float kNearest = 1.0f / 16;
 // Sine of the angle between view and light; below it the map is all but uniform.
 constexpr float kLeastSine = 1e-3f;
 
