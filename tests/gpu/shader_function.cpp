@@ -19,9 +19,9 @@ ShaderFunction::ShaderFunction(const gl::Api& api, std::string_view file, std::s
                              "layout(std430, binding = " +
                              std::to_string(SSBO_HITS) +
                              ") writeonly buffer OutputBlock { vec4 outputs[]; };\n"
+                             "uniform uint items;\n"
                              "void main() {\n  uint item = gl_GlobalInvocationID.x;\n"
-                             "  if (" +
-                             std::to_string(inputStride) + "u * item >= uint(inputs.length())) return;\n" +
+                             "  if (item >= items) return;\n" +
                              std::string(body) + "\n}\n";
   const GLuint shader = api.CreateShader(GL_COMPUTE_SHADER);
   const char* text = source.c_str();
@@ -49,6 +49,7 @@ std::vector<glm::vec4> ShaderFunction::run(const std::vector<glm::vec4>& inputs)
   in.bindStorage(SSBO_RAYS);
   out.bindStorage(SSBO_HITS);
   api_->UseProgram(program_);
+  api_->ProgramUniform1ui(program_, api_->GetUniformLocation(program_, "items"), static_cast<GLuint>(items));
   api_->DispatchCompute(static_cast<GLuint>((items + 63) / 64), 1, 1);
   // The dispatch writes the outputs; read() copies them.
   api_->MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
