@@ -19,21 +19,22 @@ TEST_F(BuildSteps, StoringMoreThanWasCountedWritesIntoNoOtherRun) {
   Renderer renderer = makeRenderer(scene);
   const Frame before = drawWith(renderer, kAbove, settings, 80, 60);
   std::size_t differ = 0;
-  withShaders({{"tracing/identity/add_entry.glsl", add, "secondStep == 0 && (triangle & 1u) == 1u ? 0u : " + add}},
-              [&] {
-                ASSERT_TRUE(renderer.reloadShaders().empty());
-                const Frame broken = drawWith(renderer, other, settings, 80, 60);
-                EXPECT_GT(broken.report.memory.fragments, before.report.memory.fragments) << "it builds";
-                const std::vector<float> found = broken.plane("hit.T"), right = exact.plane("hit.T"),
-                                         ids = broken.plane("hit.id");
-                for (std::size_t i = 0; i < found.size(); ++i) {
-                  differ += found[i] != right[i];
-                  EXPECT_LT(ids[i], static_cast<float>(scene.triangles.size()));
-                  if (found[i] >= 0 && right[i] >= 0) {
-                    EXPECT_GE(found[i], right[i]) << "pixel " << i;
-                  }
-                }
-              });
+  withShaders(
+      {{"tracing/identity/add_entry.glsl", add, "secondStep == 0 && (triangle & 1u) == 1u ? 0u : " + add}, kInSteps},
+      [&] {
+        ASSERT_TRUE(renderer.reloadShaders().empty());
+        const Frame broken = drawWith(renderer, other, settings, 80, 60);
+        EXPECT_GT(broken.report.memory.fragments, before.report.memory.fragments) << "it builds";
+        const std::vector<float> found = broken.plane("hit.T"), right = exact.plane("hit.T"),
+                                 ids = broken.plane("hit.id");
+        for (std::size_t i = 0; i < found.size(); ++i) {
+          differ += found[i] != right[i];
+          EXPECT_LT(ids[i], static_cast<float>(scene.triangles.size()));
+          if (found[i] >= 0 && right[i] >= 0) {
+            EXPECT_GE(found[i], right[i]) << "pixel " << i;
+          }
+        }
+      });
   EXPECT_GT(differ, 0u) << "the edit must matter";
   EXPECT_EQ(drawWith(renderer, kAbove, settings, 80, 60).layers.data, before.layers.data)
       << "what was built before is as it was";

@@ -19,6 +19,9 @@ class TracingTest : public RenderTest {
   // Has the identity structure rasterize large triangles, however few bricks it builds.
   inline static const ShaderEdit kNoPairs = {"shared/passes/identity.h", "#define MAX_PAIRED_BRICKS 4096u",
                                              "#define MAX_PAIRED_BRICKS 0u"};
+  // Has frames after a move build the identity structure in steps, as first frames do.
+  inline static const ShaderEdit kInSteps = {"shared/passes/identity.h", "#define MAX_FEW_BRICKS 4096u",
+                                             "#define MAX_FEW_BRICKS 0u"};
 };
 
 Material plain(const glm::vec3& color);

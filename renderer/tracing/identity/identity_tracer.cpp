@@ -11,10 +11,10 @@ namespace {
 // Bricks on a waiting ray's way that are built with the one it waits for; doubled each time that rays wait again. Few
 // and many small builds, or fewer builds of lists that nobody needs.
 constexpr int kFirstLookAhead = 2;
-constexpr int kKeptLookAhead = 16;  // if most bricks are there from earlier frames: another build costs more
+constexpr int kKeptLookAhead = 1;  // if most bricks are there from earlier frames: another build costs little
 constexpr int kMaxLookAhead = 4096;
 // Dispatches before the host looks whether rays still wait: as many as they mostly need.
-constexpr int kFirstDispatches = 6, kKeptDispatches = 2;
+constexpr int kFirstDispatches = 6, kKeptDispatches = 6;
 
 // Bit by bit: what differs at all may make other rays.
 auto wordsOf(const shared::FrameConstants& frame) {
@@ -51,6 +51,8 @@ void IdentityTracer::update(const FrameView& view, const SceneChange& change) {
   traces_[latest_] = {&view.constants, view.frame, 0, {}};
   dispatchesToLook_ = kKeptDispatches;
   firstLookAhead_ = kKeptLookAhead;
+  few_ = true;
+  kept_ = kept;
   if (kept && change.moved.empty()) return;
   built_ = false;  // until nothing has failed
   store_.setOuter(view.scene.extents.core().outer);
@@ -60,8 +62,9 @@ void IdentityTracer::update(const FrameView& view, const SceneChange& change) {
     if (store_.stuck()) {
       store_.forget(view.scene);
       builder_.clearCounters();
+      few_ = false;
     }
-    builder_.giveUpMoved(view.scene, change.moved, store_);
+    builder_.followMoved(view.scene, change.moved, store_);
   } else {
     // What has left the grid will move on.
     store_.start(view, store_.brickGridOf(view.scene, kept && !suits));
@@ -72,6 +75,7 @@ void IdentityTracer::update(const FrameView& view, const SceneChange& change) {
     builder_.clearCounters();
     firstLookAhead_ = kFirstLookAhead;
     dispatchesToLook_ = kFirstDispatches;
+    few_ = false;
   }
   built_ = true;
 }
@@ -84,6 +88,7 @@ void IdentityTracer::trace(const FrameView& view, const RayQueue& rays, Hits& hi
   structure.bind = [&] {
     store_.bind();
     store_.bindOuter();
+    if (!structure.certain) builder_.bindRequests();
   };
   std::size_t own = latest_;  // a later frame may have begun
   for (std::size_t i = 1; i < traces_.size() && traces_[own].constants != &view.constants; ++i)
@@ -111,19 +116,23 @@ void IdentityTracer::trace(const FrameView& view, const RayQueue& rays, Hits& hi
     lookAhead = std::min(2 * lookAhead, kMaxLookAhead);
     overWaiting(request_);
     const auto scope = view.profiler.section("build");
-    builder_.buildRequested(view.scene, store_);
+    if (few_)
+      builder_.buildFew(view.scene, store_);
+    else
+      builder_.buildRequested(view.scene, store_);
   };
   gl::Readback::Slice<shared::BrickWork> work;
   structure.copy = [&](gl::Readback& readback) { work = readback.copy<shared::BrickWork>(store_.work()); };
   structure.settle = [&](const gl::Readback& readback, bool done) {
     const auto scope = view.profiler.section("build");
     store_.follow(readback.values(work)[0]);
+    few_ = few_ && !store_.tooMany();
     // Later generations of rays will ask for more.
-    if (done && traces.count >= view.frame.traces) store_.fit(builder_.bytes());
+    if (done && traces.count >= view.frame.traces) store_.fit(builder_.bytes(), kept_);
     return done || store_.makeRoom(builder_.bytes());
   };
   built_ = false;  // a build that fails half way leaves nothing to keep
-  builder_.begin(view.scene, store_);
+  builder_.begin(store_);
   traces.dispatches.push_back(tracePass_.run(view, rays, hits, structure));
   built_ = true;
   builder_.releaseMemory();

@@ -55,6 +55,8 @@ class IdentityTracer final : public Tracer {
 
   int dispatchesToLook_ = 0;  // see TracePass::Structure
   int firstLookAhead_ = 0;    // bricks
+  bool few_ = false;          // rays ask for few bricks: most are there
+  bool kept_ = false;         // the structure is that of the last frame, for another view or with triangles moved
 };
 
 }  // namespace halfsilver

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 #include <vector>
 
 #include "scene/vertex_ranges.h"
@@ -13,8 +12,9 @@
 namespace halfsilver {
 namespace {
 
-constexpr std::size_t kBrickBuildBytes = (2 + VOXELS_PER_BRICK) * sizeof(GLuint);  // BrickBuild
-constexpr std::size_t kTriangleBlockBytes = 3 * sizeof(GLuint);                    // BoundedBlock
+constexpr std::size_t kRequestBytes = 2 * sizeof(GLuint);                    // BrickRequest
+constexpr std::size_t kBrickBuildBytes = VOXELS_PER_BRICK * sizeof(GLuint);  // BrickBuild
+constexpr std::size_t kTriangleBlockBytes = 3 * sizeof(GLuint);              // BoundedBlock
 static_assert(SceneExtents::kBlockTriangles == MOVED_BLOCK && MOVED_BLOCK % TRIANGLE_BLOCK == 0);
 
 std::size_t blocksOf(const GpuScene& scene, std::size_t triangles) {
@@ -44,63 +44,75 @@ RunBuilder::RunBuilder(const gl::Api& api)
     : api_(&api),
       boundBlocks_(gl::Program::compute(api, "tracing/identity/bound_blocks.comp")),
       beginBuild_(gl::Program::compute(api, "tracing/identity/begin_build.comp")),
-      listRequested_(gl::Program::compute(api, "tracing/identity/list_requested.comp")),
+      clearBuilds_(gl::Program::compute(api, "tracing/identity/clear_builds.comp")),
       collectBlocks_(gl::Program::compute(api, "tracing/identity/collect_blocks.comp")),
       collectRequested_(gl::Program::compute(api, "tracing/identity/collect_requested.comp")),
       sizeRuns_(gl::Program::compute(api, "tracing/identity/size_runs.comp")),
       placeRuns_(gl::Program::compute(api, "tracing/identity/place_runs.comp")),
       finishBricks_(gl::Program::compute(api, "tracing/identity/finish_bricks.comp")),
-      build_(makeVisit(api, "build", kBuildDefines)),
+      buildFew_(gl::Program::compute(api, "tracing/identity/build_few.comp")),
+      buildSmall_(gl::Program::compute(api, "tracing/identity/build_small.comp", kBuildDefines)),
+      buildLarge_(gl::Program::raster(api, "tracing/common/large_triangles.vert", "tracing/identity/build.frag",
+                                      kBuildDefines)),
       buildPaired_(gl::Program::compute(api, "tracing/identity/build_paired.comp", kBuildDefines)),
       step_(api, sizeof(BuildStep), "step of a build"),
       counters_(api),
       triangles_(api) {}
 
-RunBuilder::Visit RunBuilder::makeVisit(const gl::Api& api, const std::string& name,
-                                        std::span<const gl::Define> defines) {
-  const std::string path = "tracing/identity/" + name;
-  return {gl::Program::compute(api, path + "_small.comp", defines),
-          gl::Program::raster(api, "tracing/common/large_triangles.vert", path + ".frag", defines)};
-}
-
 void RunBuilder::measure(const GpuScene& scene, const RunStore& store) {
-  resize(*api_, blocks_, blocksOf(scene, TRIANGLE_BLOCK) * kTriangleBlockBytes, "blocks of triangles");
-  std::vector<std::uint32_t> all(blocksOf(scene, MOVED_BLOCK));
-  std::iota(all.begin(), all.end(), 0u);
-  const gl::Buffer vertices = movedVertices(*api_, {}, all);
-  vertices.bindStorage(SSBO_MOVED_VERTICES);
-  measure(all.size(), scene, store);
-}
-
-void RunBuilder::measure(std::size_t blocks, const GpuScene& scene, const RunStore& store) const {
+  const std::size_t blocks = blocksOf(scene, TRIANGLE_BLOCK);
+  resize(*api_, blocks_, blocks * kTriangleBlockBytes, "blocks of triangles");
   store.grid().apply(boundBlocks_);
   boundBlocks_.set("triangleCount", scene.triangleCount);
   scene.bindTriangles();
   blocks_.bindStorage(SSBO_TRIANGLE_BLOCKS);
-  dispatchFor(*api_, boundBlocks_, blocks * (MOVED_BLOCK / TRIANGLE_BLOCK));
+  dispatchFor(*api_, boundBlocks_, blocks);
   // Boxes (this dispatch) are read by builds.
   api_->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
-void RunBuilder::begin(const GpuScene& scene, const RunStore& store) {
+void RunBuilder::begin(const RunStore& store) {
+  resize(*api_, requests_, std::min(kMaxRequests, store.brickCount()) * kRequestBytes, "requests of bricks");
+  transient_ = std::max(transient_, bytes());
+}
+
+void RunBuilder::buildFew(const GpuScene& scene, const RunStore& store) const {
+  store.grid().apply(buildFew_);
+  store.entryLayout().apply(buildFew_);
+  buildFew_.set("ownAxis", store.ownAxis() ? 1 : 0);
+  buildFew_.set("triangleCount", scene.triangleCount);
+  buildFew_.set("triangleBlockCount", static_cast<GLuint>(blocksOf(scene, TRIANGLE_BLOCK)));
+  store.bind();
+  scene.bindTriangles();
+  counters_.bind();
+  blocks_.bindStorage(SSBO_TRIANGLE_BLOCKS);
+  bindRequests();
+  buildFew_.use();
+  api_->BindBuffer(GL_DISPATCH_INDIRECT_BUFFER, store.work().name());
+  api_->DispatchComputeIndirect(offsetof(shared::BrickWork, fewGroupsX));
+  // Runs, states and arguments (this dispatch) are read by the trace and by the next build.
+  api_->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
+}
+
+void RunBuilder::reserve(const GpuScene& scene, const RunStore& store) {
+  if (brickBuilds_) return;
   triangles_.begin(scene, store.ownAxis());
   resize(*api_, brickBuilds_, std::min(kMaxRequests, store.brickCount()) * kBrickBuildBytes, "builds of bricks");
   transient_ = std::max(transient_, bytes());
 }
 
 void RunBuilder::buildRequested(const GpuScene& scene, const RunStore& store) {
+  reserve(scene, store);
   store.bind();
   triangles_.bind();
   beginBuild_.set("maxRequests", kMaxRequests);
-  beginBuild_.set("brickCount", store.brickCount());
   beginBuild_.set("blockCount", static_cast<GLuint>(blocksOf(scene, TRIANGLE_BLOCK)));
   beginBuild_.use();
   api_->DispatchCompute(1, 1, 1);
   // Arguments and counts (this dispatch) are read by all steps.
   api_->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
 
-  listRequested_.set("brickCount", store.brickCount());
-  dispatchForBuilds(listRequested_, offsetof(shared::BrickWork, brickGroupsX), store);
+  dispatchForBuilds(clearBuilds_, offsetof(shared::BrickWork, groupsPerBuildX), store);
 
   store.grid().apply(collectBlocks_);
   collectBlocks_.set("triangleBlockCount", static_cast<GLuint>(blocksOf(scene, TRIANGLE_BLOCK)));
@@ -126,6 +138,7 @@ void RunBuilder::buildRequested(const GpuScene& scene, const RunStore& store) {
 void RunBuilder::dispatchForBuilds(const gl::Program& program, std::size_t arguments, const RunStore& store) const {
   store.bind();
   triangles_.bind();
+  bindRequests();
   brickBuilds_.bindStorage(SSBO_BRICK_BUILDS);
   program.use();
   api_->BindBuffer(GL_DISPATCH_INDIRECT_BUFFER, store.work().name());
@@ -138,54 +151,50 @@ void RunBuilder::visitBuilds(bool secondStep, const GpuScene& scene, const RunSt
   const BuildStep step{secondStep ? 1 : 0, store.ownAxis() ? 1 : 0, {}};
   step_.write(0, &step, sizeof(step));
   step_.bindUniform(UBO_BUILD_STEP);
-  for (const gl::Program* program : {&build_.small, &build_.large, &buildPaired_}) store.entryLayout().apply(*program);
-  brickBuilds_.bindStorage(SSBO_BRICK_BUILDS);
-  visit(build_, store.grid(), scene, store);
-  store.grid().apply(buildPaired_);
-  dispatchForBuilds(buildPaired_, offsetof(shared::BrickWork, pairGroupsX), store);
-}
-
-void RunBuilder::visit(const Visit& programs, const Grid& grid, const GpuScene& scene, const RunStore& store) const {
-  for (const gl::Program* program : {&programs.small, &programs.large}) {
-    grid.apply(*program);
-    program->set("ownAxis", store.ownAxis() ? 1 : 0);
+  for (const gl::Program* program : {&buildSmall_, &buildLarge_, &buildPaired_}) {
+    store.grid().apply(*program);
+    store.entryLayout().apply(*program);
   }
   scene.bindTriangles();
   counters_.bind();
   store.bind();
-  triangles_.visit(programs.small, programs.large, grid.longestSide());
-  // Marks, counts and entries (the visit) are read by the next steps and the trace.
+  bindRequests();
+  brickBuilds_.bindStorage(SSBO_BRICK_BUILDS);
+  triangles_.visit(buildSmall_, buildLarge_, store.grid().longestSide());
+  // Counts and entries (the visit) are read by the next steps and the trace.
   api_->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+  dispatchForBuilds(buildPaired_, offsetof(shared::BrickWork, pairGroupsX), store);
 }
 
-void RunBuilder::giveUpMoved(const GpuScene& scene, std::span<const VertexRange> moved, const RunStore& store) {
-  if (!collectMoved_) {
-    collectMoved_ = gl::Program::compute(*api_, "tracing/identity/collect_moved.comp");
-    markMoved_ = makeVisit(*api_, "mark_moved");
+void RunBuilder::followMoved(const GpuScene& scene, std::span<const VertexRange> moved, const RunStore& store) {
+  if (!followMoved_) {
+    followMoved_ = gl::Program::compute(*api_, "tracing/identity/follow_moved.comp");
     giveUpMoved_ = gl::Program::compute(*api_, "tracing/identity/give_up_moved.comp");
   }
   store.bind();
-  giveUpMoved_.set("brickCount", store.brickCount());
-  dispatchFor(*api_, giveUpMoved_, store.brickCount());
-  // States and marks (this dispatch) are changed by the visits.
+  const std::size_t words = (store.brickCount() + VOXELS_PER_WORD - 1) / VOXELS_PER_WORD;
+  giveUpMoved_.set("wordCount", static_cast<GLuint>(words));
+  dispatchFor(*api_, giveUpMoved_, words);
+  // States and marks (this dispatch) are changed by the next one.
   api_->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
-  const Grid& grid = store.brickGrid();
-  grid.apply(collectMoved_);
-  collectMoved_.set("ownAxis", store.ownAxis() ? 1 : 0);
   const std::vector<VertexRange> ranges = mergeRanges(moved);
   const std::vector<std::uint32_t> blocks = scene.extents.blocksUsing(ranges);
   const gl::Buffer vertices = movedVertices(*api_, ranges, blocks);
   vertices.bindStorage(SSBO_MOVED_VERTICES);
-  measure(blocks.size(), scene, store);
-  triangles_.begin(scene, store.ownAxis());
-  triangles_.choose(collectMoved_, scene, blocks.size() * MOVED_BLOCK);
-  visit(markMoved_, grid, scene, store);
-  store.growEmpty();
-  transient_ = std::max(transient_, bytes());
+  store.brickGrid().apply(followMoved_);
+  followMoved_.set("ownAxis", store.ownAxis() ? 1 : 0);
+  followMoved_.set("triangleCount", scene.triangleCount);
+  scene.bindTriangles();
+  blocks_.bindStorage(SSBO_TRIANGLE_BLOCKS);
+  dispatchFor(*api_, followMoved_, blocks.size() * MOVED_BLOCK);
+  // Boxes of blocks, states and the box of bricks (this dispatch) are read by what follows and by builds.
+  api_->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+  store.boundEmpty();
 }
 
 void RunBuilder::releaseMemory() {
   triangles_.releaseMemory();
+  requests_ = gl::Buffer();
   brickBuilds_ = gl::Buffer();
 }
 

@@ -18,9 +18,12 @@ constexpr double kVoxelsPerBrick = VOXELS_PER_BRICK;
 constexpr float kRoom = 0.1f;
 // Software rasterizers stop long loops, and one invocation copies a run.
 constexpr std::uint64_t kMaxSoftwareCopy = 8000;
-// The pool over its runs: as fit() makes it, and how much less or more may stay. And the share of stale words above
-// which runs are moved together.
-constexpr double kHeadroom = 1.03, kMinHeadroom = 1.01, kMaxHeadroom = 1.06;
+// The pool over its runs: as fit() makes it, which is also how many stale words there may be, and how much less or more
+// may stay. While something moves there is room for the next frame, which builds about as much as the last one.
+struct Headroom {
+  double made, least, most;
+};
+constexpr Headroom kStillHeadroom = {1.03, 1.01, 1.06}, kMovingHeadroom = {1.045, 1.01, 1.045};
 // By how much a pool grows at least if runs wait for room.
 constexpr double kGrowth = 4;
 // Words per triangle that a pool begins with, before it is known what rays need.
@@ -40,8 +43,8 @@ RunStore::RunStore(const gl::Api& api, const Settings& settings)
       ownAxis_(settings.voxels.axis == AxisRule::own),
       voxelPass_(api, VoxelRaster::conservative, settings.voxels.axis),
       beginBricks_(gl::Program::compute(api, "tracing/identity/begin_bricks.comp")),
-      beginGrowth_(gl::Program::compute(api, "tracing/identity/begin_growth.comp")),
-      growEmpty_(gl::Program::compute(api, "tracing/identity/grow_empty.comp")),
+      beginBounding_(gl::Program::compute(api, "tracing/identity/begin_bounding.comp")),
+      boundEmpty_(gl::Program::compute(api, "tracing/identity/bound_empty.comp")),
       compactRuns_(gl::Program::compute(api, "tracing/identity/compact_runs.comp")),
       work_(api, sizeof(shared::BrickWork), "work on bricks") {}
 
@@ -82,8 +85,9 @@ void RunStore::forget(const GpuScene& scene) {
   const std::uint64_t words = std::min(maxCapacity(), std::max(kMinFirstWords, kFirstWords * scene.triangleCount));
   if (capacity() < words) resize(*api_, runs_, words * kWordBytes, "A-buffer runs");
   known_ = {};
-  // Cubes of all bricks are to be made.
+  // Cubes of all bricks are to be bounded.
   shared::BrickWork work{};
+  work.fewGroupsY = work.fewGroupsZ = 1;
   work.filledBelowX = work.filledBelowY = work.filledBelowZ = FILLED_BELOW;
   work.filledAboveX = static_cast<GLuint>(brickGrid_.voxels.x);
   work.filledAboveY = static_cast<GLuint>(brickGrid_.voxels.y);
@@ -95,22 +99,23 @@ void RunStore::forget(const GpuScene& scene) {
   dispatchFor(*api_, beginBricks_, brickCount());
   // States (compute) are read by the next step.
   api_->MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
-  growEmpty();
+  boundEmpty();
 }
 
-void RunStore::growEmpty() const {
+void RunStore::boundEmpty() const {
   bind();
-  grid_.apply(beginGrowth_);
-  beginGrowth_.use();
+  grid_.apply(beginBounding_);
+  beginBounding_.use();
   api_->DispatchCompute(1, 1, 1);
   // The box and its groups (this dispatch) are read by the steps.
   api_->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
-  grid_.apply(growEmpty_);
+  grid_.apply(boundEmpty_);
   api_->BindBuffer(GL_DISPATCH_INDIRECT_BUFFER, work_.name());
   for (int power = 0; power < MAX_EMPTY_SIDE; ++power) {
-    growEmpty_.set("power", power);
-    growEmpty_.use();
-    api_->DispatchComputeIndirect(offsetof(shared::BrickWork, growGroupsX));
+    boundEmpty_.set("power", power);
+    boundEmpty_.use();
+    api_->DispatchComputeIndirect(static_cast<GLintptr>(offsetof(shared::BrickWork, boundGroups) +
+                                                        3 * sizeof(GLuint) * static_cast<std::size_t>(power)));
     // States (this step) are read by the next one, by builds and by the trace.
     api_->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   }
@@ -146,17 +151,24 @@ bool RunStore::makeRoom(std::uint64_t besides) {
   return true;
 }
 
-void RunStore::fit(std::uint64_t besides) {
-  const std::uint64_t left = known_.usedWords - known_.staleWords;
+void RunStore::fit(std::uint64_t besides, bool moving) {
+  const Headroom& headroom = moving ? kMovingHeadroom : kStillHeadroom;
+  const std::uint64_t used = known_.usedWords, left = used - known_.staleWords;
+  // The next move will take about as much.
+  const std::uint64_t next = moving && used > fitted_ ? 2 * used - fitted_ : used;
+  const bool unfit =
+      capacity() < std::max(times(headroom.least, used), next) || capacity() > times(headroom.most, used);
   if (left == 0) {
     known_ = {};
+    known_.fewGroupsY = known_.fewGroupsZ = 1;
     work_.write(0, &known_, sizeof(known_));
     resizePool(0, besides);
-  } else if (sparse() && movable()) {
-    compact(besides);
-  } else if (capacity() < times(kMinHeadroom, known_.usedWords) || capacity() > times(kMaxHeadroom, known_.usedWords)) {
-    resizePool(std::min(maxCapacity(), times(kHeadroom, known_.usedWords)), besides);
+  } else if (movable() && (sparse(headroom.made) || (unfit && sparse(kStillHeadroom.made)))) {
+    compact(times(headroom.made, left), besides);
+  } else if (unfit) {
+    resizePool(std::min(maxCapacity(), times(headroom.made, used)), besides);
   }
+  fitted_ = known_.usedWords;
 }
 
 void RunStore::resizePool(std::uint64_t words, std::uint64_t besides) {
@@ -171,16 +183,17 @@ void RunStore::resizePool(std::uint64_t words, std::uint64_t besides) {
   runs_ = std::move(pool);
 }
 
-bool RunStore::sparse() const {
+bool RunStore::sparse(double headroom) const {
   const std::uint64_t left = known_.usedWords - known_.staleWords;
-  return static_cast<double>(known_.usedWords) > kHeadroom * static_cast<double>(left);
+  return static_cast<double>(known_.usedWords) > headroom * static_cast<double>(left);
 }
 
 bool RunStore::movable() const { return !api_->software || known_.longestRun <= kMaxSoftwareCopy; }
 
-void RunStore::compact(std::uint64_t besides) {
+bool RunStore::stuck() const { return sparse(kMovingHeadroom.made) && !movable(); }
+
+void RunStore::compact(std::uint64_t words, std::uint64_t besides) {
   const GLuint left = known_.usedWords - known_.staleWords;
-  const std::uint64_t words = times(kHeadroom, left);
   gl::Buffer together;
   resize(*api_, together, words * kWordBytes, "A-buffer runs");
   noteTransient(besides + std::min(runs_.bytes(), together.bytes()));

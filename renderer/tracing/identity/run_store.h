@@ -38,9 +38,9 @@ class RunStore {
   std::uint32_t brickCount() const { return static_cast<std::uint32_t>(brickGrid_.voxelCount()); }
   bool ownAxis() const { return ownAxis_; }  // each triangle is in the A-buffer of its own dominant axis
 
-  // Finds the empty cubes that empty bricks begin, near bricks that are not empty any more; to be called after
-  // triangles have come to other bricks.
-  void growEmpty() const;
+  // Shrinks the empty cubes that empty bricks begin to those that are empty, near bricks that are not any more; to be
+  // called after triangles have come to other bricks.
+  void boundEmpty() const;
 
   // SSBO_VOXELS, SSBO_BRICKS, SSBO_RUNS and SSBO_BRICK_WORK.
   void bind() const;
@@ -49,16 +49,19 @@ class RunStore {
 
   // A copy of work(), made when no build was under way.
   void follow(const shared::BrickWork& work) { known_ = work; }
+  // After follow(): RunBuilder::buildFew() has left requests, not for want of room.
+  bool tooMany() const { return known_.heavyBricks > 0 || (known_.requestedBricks > 0 && known_.waitingWords == 0); }
   // After follow(): makes room if runs wait for it. False if the device has no more: they are lost. `besides` are the
   // bytes that a build holds meanwhile.
   bool makeRoom(std::uint64_t besides);
   // After follow(), when no more builds are to come: makes the pool as large as its runs, with a little headroom for
-  // the next frame's. Moves runs together if many words are stale.
-  void fit(std::uint64_t besides);
+  // the next frame's; with more for structures that are kept while something moves, since the next frame will build as
+  // much. Moves runs together if many words are stale.
+  void fit(std::uint64_t besides, bool moving);
 
   bool complete() const { return lost_ == 0; }  // every build has found room
   // Many words are stale, and a run is too long for the device to move: better drop them all.
-  bool stuck() const { return sparse() && !movable(); }
+  bool stuck() const;
 
   StructureCells cells() const;             // waits for the GPU
   void report(TracerMemory& memory) const;  // all but fragments made
@@ -67,10 +70,10 @@ class RunStore {
  private:
   std::uint64_t capacity() const { return runs_.bytes() / sizeof(GLuint); }  // words
   std::uint64_t maxCapacity() const;
-  bool sparse() const;
+  bool sparse(double headroom) const;
   bool movable() const;
   void resizePool(std::uint64_t words, std::uint64_t besides);
-  void compact(std::uint64_t besides);
+  void compact(std::uint64_t words, std::uint64_t besides);
   void noteTransient(std::uint64_t bytes) { transient_ = std::max(transient_, bytes); }
 
   const gl::Api* api_;
@@ -78,13 +81,14 @@ class RunStore {
   double voxelsPerTriangle_;
   bool ownAxis_;
   VoxelPass voxelPass_;
-  gl::Program beginBricks_, beginGrowth_, growEmpty_, compactRuns_;
+  gl::Program beginBricks_, beginBounding_, boundEmpty_, compactRuns_;
 
   Grid grid_, brickGrid_;
   EntryLayout entryLayout_;
   Voxels voxels_;  // of the brick grid
   gl::Buffer bricks_, runs_, outer_, work_;
   shared::BrickWork known_{};
+  std::uint64_t fitted_ = 0;     // words of all runs at the last fit()
   std::uint64_t lost_ = 0;       // words that found no room
   std::uint64_t transient_ = 0;  // bytes, see TracerMemory
 };

@@ -9,6 +9,7 @@
 // Builds touch no queue of rays and use its numbers; 5 and 7 are those of the counters and of listed triangles.
 #define SSBO_BRICK_BUILDS 6     // BrickBuild[requested bricks]
 #define SSBO_TRIANGLE_BLOCKS 8  // BoundedBlock[blocks of triangles]
+#define SSBO_REQUESTS 9         // BrickRequest[requested bricks]; this method stores no surfaces of hits
 #define SSBO_COMPACTED_RUNS 9   // uint[]: where compaction moves runs to
 #define SSBO_MOVED_VERTICES 10  // MovedVertices
 #define UBO_BUILD_STEP 1        // BuildStepBlock, see tracing/common/projections.glsl
@@ -25,9 +26,10 @@
 // Sides of empty cubes in bricks, as powers of two: bits for each of the eight directions, and the largest power.
 #define EMPTY_SIDE_BITS 3u
 #define MAX_EMPTY_SIDE 4
-// Bricks along the sides of a group that makes them.
-#define GROW_GROUP_X 8
-#define GROW_GROUP_YZ 2
+#define MAX_EMPTY_SIDES 0x924924u  // that, in all directions
+// Bricks along the sides of a group that bounds them.
+#define BOUND_GROUP_X 8
+#define BOUND_GROUP_YZ 2
 
 // A brick's voxel in the packed grid (see shared/tracing.h): triangles of the last move came to it.
 #define VOXEL_MOVED 8u
@@ -38,11 +40,8 @@
 
 // What rays ask for, and what becomes of it.
 struct BrickWork {
-  // Of the build under way: groups of its indirect dispatches over bricks, blocks of triangles, the triangles of those
-  // that are wanted, builds, and builds with a group for each.
-  uint brickGroupsX;
-  uint brickGroupsY;
-  uint brickGroupsZ;
+  // Of the build under way: groups of its indirect dispatches over blocks of triangles, the triangles of those that are
+  // wanted, builds, and builds with a group for each.
   uint blockGroupsX;
   uint blockGroupsY;
   uint blockGroupsZ;
@@ -58,6 +57,15 @@ struct BrickWork {
   uint pairGroupsX;  // likewise, if large triangles are not rasterized
   uint pairGroupsY;
   uint pairGroupsZ;
+  // Of a build in one step: its dispatch, a group for each requested brick, and what its groups have added up so far.
+  uint fewGroupsX;
+  uint fewGroupsY;
+  uint fewGroupsZ;
+  uint fewDone;         // groups
+  uint fewWords;        // of their runs
+  uint fewHeaderWords;  // of these, before the entries
+  uint fewLongest;      // words of a run
+  uint heavyBricks;     // that had too many triangles for a group
   uint wantedBlocks;
   uint buildCount;
   uint firstWord;         // behind the runs of earlier builds
@@ -71,7 +79,7 @@ struct BrickWork {
   uint longestRun;        // words
   uint staleWords;        // of runs that were given up
   uint staleHeaderWords;  // of these, before the entries
-  // The box of bricks that stopped being empty since empty cubes were made, as maxima, so that zeros are none:
+  // The box of bricks that stopped being empty since empty cubes were bounded, as maxima, so that zeros are none:
   // FILLED_BELOW - the lowest brick, and 1 + the highest, along each axis.
   uint filledBelowX;
   uint filledBelowY;
@@ -79,20 +87,21 @@ struct BrickWork {
   uint filledAboveX;
   uint filledAboveY;
   uint filledAboveZ;
-  // Where cubes are made again: groups of the indirect dispatch, and the box of bricks.
-  uint growGroupsX;
-  uint growGroupsY;
-  uint growGroupsZ;
-  uint growLowX;
-  uint growLowY;
-  uint growLowZ;
-  uint growSizeX;
-  uint growSizeY;
-  uint growSizeZ;
+  // Where cubes are bounded: groups of the indirect dispatches, one for each size of cubes, and the box of the bricks
+  // that they may not hold.
+  uint boundGroups[3 * MAX_EMPTY_SIDE];
+  uint boundLowX;
+  uint boundLowY;
+  uint boundLowZ;
+  uint boundHighX;
+  uint boundHighY;
+  uint boundHighZ;
 };
 #define FILLED_BELOW 1024
 // A build of at most so many bricks goes over pairs of large triangles and bricks, in compute.
 #define MAX_PAIRED_BRICKS 4096u
+// A build of at most so many bricks may be done in one step.
+#define MAX_FEW_BRICKS 4096u
 // Keeps a sum of words in a word.
 #define MAX_WAITING_WORDS 0x1ffffu
 

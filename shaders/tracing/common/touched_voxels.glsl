@@ -1,23 +1,10 @@
-// The voxels that a triangle touches. The raster is the voxel grid's own, seen along the triangle's axis.
-#include "tracing/common/grid.glsl"
+// The voxels that a triangle touches.
 #include "tracing/common/projections.glsl"
 #include "tracing/common/small_triangle.glsl"
-#include "tracing/common/texel_overlap.glsl"
+#include "tracing/common/touched_depths.glsl"
 
 // What becomes of a voxel: the program that includes this file defines it.
 void visitVoxel(ivec3 voxel);
-
-// The first and the last depth of a texel's column that the triangle touches; none if the last is before the first.
-ivec2 touchedDepths(ProjectedTriangle t, ivec2 texel) {
-  ivec3 voxels = permutedVoxels(t.axis);
-  vec2 depths;
-  bool touches = texel.x < voxels.x && texel.y < voxels.y &&
-                 touchesTexel(t.a, t.b, t.c, texel, vec2(voxels.xy), depths);
-  precise vec2 range = depths * float(voxels.z) + vec2(-overlapSlack, overlapSlack);
-  int first = clamp(int(floor(range.x)), 0, voxels.z - 1);
-  int last = touches ? clamp(int(floor(range.y)), 0, voxels.z - 1) : -1;
-  return ivec2(first, last);
-}
 
 // Calls visitVoxel() for the voxels of a texel's column.
 void visitTouchedVoxels(ProjectedTriangle t, ivec2 texel) {

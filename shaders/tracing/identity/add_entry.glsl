@@ -26,12 +26,12 @@ void addEntry(ivec3 voxel, uint triangle, int axis) {
   uint build = state - BRICK_REQUESTED, place = atomicAdd(builds[build].next[voxelInBrick(voxel)], 1u);
   if (secondStep == 1) {
     int side;
-    if (place >= listOf(builds[build].run, voxel, side).y) {
+    if (place >= listOf(requests[build].run, voxel, side).y) {
       countAt(COUNTER_LOST, voxel.xy);
       return;
     }
-    // The box comes later, for which the voxel holds the place: few of the voxels visited have a list to be filled.
-    runs[place] = packEntry(triangle, boxSlices > 0 ? voxelInBrick(voxel) : 0u);
+    // The box comes later: few of the voxels visited have a list to be filled.
+    runs[place] = packVoxelEntry(triangle, voxelInBrick(voxel));
   }
   ++entriesAdded;
 }

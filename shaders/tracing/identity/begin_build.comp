@@ -7,7 +7,6 @@
 
 layout(local_size_x = 1) in;
 uniform uint maxRequests;
-uniform uint brickCount;
 uniform uint blockCount;  // of triangles
 
 // In rows; see dispatchFor().
@@ -21,15 +20,11 @@ uvec3 groupsFor(uint items) { return rowsOf((items + 63u) / 64u); }
 void main() {
   bool room = brickWork.waitingWords == 0u;
   uint count = room ? min(brickWork.requestedBricks, maxRequests) : 0u;
-  if (room) brickWork.requestedBricks = 0u;
+  if (room) brickWork.requestedBricks = brickWork.fewGroupsX = brickWork.heavyBricks = 0u;
   brickWork.buildCount = count;
   brickWork.buildWords = 0u;
   brickWork.firstWord = brickWork.nextWord = brickWork.usedWords;
-  uvec3 groups = groupsFor(count > 0u ? brickCount : 0u);
-  brickWork.brickGroupsX = groups.x;
-  brickWork.brickGroupsY = groups.y;
-  brickWork.brickGroupsZ = groups.z;
-  groups = groupsFor(count > 0u ? blockCount : 0u);
+  uvec3 groups = groupsFor(count > 0u ? blockCount : 0u);
   brickWork.blockGroupsX = groups.x;
   brickWork.blockGroupsY = groups.y;
   brickWork.blockGroupsZ = groups.z;

@@ -32,7 +32,7 @@ void visitBrick(ProjectedTriangle t, ivec3 brick) {
 void main() {
   uint build = gl_WorkGroupID.x + gl_WorkGroupID.y * gl_NumWorkGroups.x;
   if (build >= brickWork.buildCount) return;
-  ivec3 brick = brickAt(builds[build].brick);
+  ivec3 brick = brickAt(requests[build].brick);
   uint number = gl_LocalInvocationIndex, count = listed.pairedCount;
   while (number < count) {
     // The next one whose box holds the brick.
@@ -41,8 +41,7 @@ void main() {
     for (; number < count && !near; number += TRIANGLE_GROUP) {
       triangle = listedTriangles[placeOfLarge(number)];
       trianglePositions(triangle, a, b, c);
-      BrickBox box = bricksOf(a, b, c);
-      near = all(lessThanEqual(box.low, brick)) && all(lessThanEqual(brick, box.high));
+      near = holds(bricksOf(a, b, c), brick);
     }
     for (int i = 0; i < projectionCount() && near; ++i) {
       visitBrick(projectTriangle(a, b, c, i), brick);

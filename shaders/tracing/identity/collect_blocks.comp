@@ -14,7 +14,8 @@ uniform uint triangleBlockCount;
 void main() {
   uint block = gl_GlobalInvocationID.x + gl_GlobalInvocationID.y * gl_NumWorkGroups.x * gl_WorkGroupSize.x;
   if (block >= triangleBlockCount) return;
-  if (!requestedIn(unpackBrick(triangleBlocks[block].low), unpackBrick(triangleBlocks[block].high), maxBricks)) return;
+  BrickBox box = boxOfBlock(block);
+  if (!requestedIn(box.low, box.high, maxBricks)) return;
   uint number = atomicAdd(brickWork.wantedBlocks, 1u);
   if (number < MAX_TRIANGLE_GROUPS) atomicAdd(brickWork.triangleGroupsX, 1u);
   triangleBlocks[number].wanted = block;

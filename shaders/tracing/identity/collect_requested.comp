@@ -2,10 +2,15 @@
 // group only if there are more than a dispatch takes.
 #include "lib/triangles.glsl"
 #include "shared/passes/identity.h"
+#include "shared/passes/listed_triangles.h"
+#include "tracing/common/listed_triangles.glsl"
+#include "tracing/common/small_triangle.glsl"
 #include "tracing/identity/brick_work.glsl"
-#include "tracing/identity/collect.glsl"
 #include "tracing/identity/requested_box.glsl"
 #include "tracing/identity/triangle_blocks.glsl"
+
+layout(local_size_x = TRIANGLE_GROUP) in;
+uniform uint triangleCount;
 
 // Larger triangles are collected without a look at their bricks: voxels decide anyway. A pair of triangle and brick costs
 // less than a look at many.
@@ -20,9 +25,11 @@ void main() {
     trianglePositions(triangle, a, b, c);
     BrickBox box = bricksOf(a, b, c);
     if (!requestedIn(box.low, box.high, paired ? maxPairedBricks : maxBricks)) continue;
-    if (paired && !isSmall(a, b, c))
+    if (isSmall(a, b, c))
+      listSmallTriangle(triangle);
+    else if (paired)
       listPairedTriangle(triangle);
     else
-      listTriangle(triangle, a, b, c);
+      listLargeTriangle(triangle);
   }
 }

@@ -13,6 +13,9 @@ const float boxSlack = 0.002;  // voxels
 uint packEntry(uint triangle, uint box) { return triangle | box << boxShift; }
 uint triangleOf(uint entry) { return entry & triangleBits; }
 
+// Until its run is complete, an entry holds its voxel's number in the brick in place of the box.
+uint packVoxelEntry(uint triangle, uint voxel) { return packEntry(triangle, boxSlices > 0 ? voxel : 0u); }
+
 // The slices that a range, 0 to 1 in the voxel, reaches into: a bit each.
 uint slicesOf(float low, float high) {
   int last = max(boxSlices - 1, 0);

@@ -1,5 +1,5 @@
 // Bricks that triangles of the last move came to are given up, before the next move marks its own. One invocation per
-// brick.
+// word of the packed grid.
 #define VOXEL_ACCESS coherent
 #include "shared/passes/identity.h"
 #include "shared/tracing.h"
@@ -7,13 +7,16 @@
 #include "tracing/identity/give_up.glsl"
 
 layout(local_size_x = 64) in;
-uniform uint brickCount;
+uniform uint wordCount;
+const uint movedBits = 0x11111111u * VOXEL_MOVED;
 
 void main() {
-  uint brick = gl_GlobalInvocationID.x + gl_GlobalInvocationID.y * gl_NumWorkGroups.x * gl_WorkGroupSize.x;
-  if (brick >= brickCount) return;
-  uint moved = VOXEL_MOVED << (VOXEL_BITS * (brick % VOXELS_PER_WORD));
-  if ((voxelWords[brick / VOXELS_PER_WORD] & moved) == 0u) return;
-  atomicAnd(voxelWords[brick / VOXELS_PER_WORD], ~moved);
-  giveUp(brick);
+  uint word = gl_GlobalInvocationID.x + gl_GlobalInvocationID.y * gl_NumWorkGroups.x * gl_WorkGroupSize.x;
+  if (word >= wordCount) return;
+  uint voxels = voxelWords[word], left = voxels & movedBits;
+  if (left != 0u) voxelWords[word] = voxels & ~movedBits;
+  while (left != 0u) {
+    giveUp(word * VOXELS_PER_WORD + uint(findLSB(left)) / VOXEL_BITS);
+    left &= left - 1u;
+  }
 }

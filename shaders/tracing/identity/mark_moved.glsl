@@ -4,7 +4,7 @@
 #include "tracing/common/mark_voxel.glsl"
 #include "tracing/identity/give_up.glsl"
 
-// Empty cubes that reach to the brick are to shrink.
+// Empty cubes that reach the brick are to shrink.
 void noteFilled(ivec3 brick) {
   uvec3 below = uvec3(FILLED_BELOW - brick), above = uvec3(brick + 1);
   atomicMax(brickWork.filledBelowX, below.x);

@@ -29,9 +29,9 @@ void main() {
   if (build >= brickWork.buildCount) return;
   uvec2 sum = listsAndEntries(build);
   uint lists = sum.x, words = wordsOf(sum), run = reserve(words);
-  builds[build].run = run;
+  requests[build].run = run;
   if (run == BRICK_MISSING) {
-    bricks[builds[build].brick] = BRICK_MISSING;  // nothing is to be stored
+    bricks[requests[build].brick] = BRICK_MISSING;  // nothing is to be stored
     return;
   }
   uvec2 occupied = uvec2(0u);

@@ -3,6 +3,7 @@
 #include "shared/passes/identity.h"
 #include "shared/passes/trace.h"
 #include "tracing/common/ray_queue.glsl"
+#include "tracing/identity/brick_requests.glsl"
 #include "tracing/identity/brick_work.glsl"
 #include "tracing/identity/bricks.glsl"
 #include "tracing/identity/voxel_walk.glsl"
@@ -15,6 +16,9 @@ void requestBrick(uint brick) {
   if (atomicCompSwap(bricks[brick], BRICK_MISSING, BRICK_CLAIMED) != BRICK_MISSING) return;
   uint number = atomicAdd(brickWork.requestedBricks, 1u);
   bricks[brick] = number < maxRequests ? BRICK_REQUESTED + number : BRICK_MISSING;
+  if (number >= maxRequests) return;
+  requests[number].brick = brick;
+  atomicAdd(brickWork.fewGroupsX, 1u);
 }
 
 void main() {
