@@ -67,11 +67,17 @@ PictureUse Picture::beginTemporal(View view, std::uint32_t passes) {
     const bool same = !history_->changed && history_->last == view;
     history_->unsettled = same ? std::max(0, history_->unsettled - 1) : kSettling;
     use.still = history_->unsettled == 0;
+    if (history_->last.camera != view.camera) {
+      const glm::dvec2 moved = history_->moved + meanMotion(history_->last.camera, view.camera, view.subject.size);
+      history_->moved = moved - glm::floor(moved + 0.5);
+    }
   }
   history_->changed = false;
   history_->last = std::move(view);
   use.passes = {.first = history_->frames * passes, .count = passes};
-  use.jitter = sampleOffset(history_->frames++);
+  // Samples move with the picture, so that those of several frames fill its pixels evenly.
+  const glm::dvec2 jitter = glm::dvec2(sampleOffset(history_->frames++)) + history_->moved;
+  use.jitter = jitter - glm::floor(jitter + 0.5);
   return use;
 }
 
@@ -105,7 +111,7 @@ void Picture::show(const FrameView& view, const Frame& frame, const gl::Buffer& 
         frame.host.glossySamples == 0)  // none if a frame of another kind has begun since
       for (const RayBatch& batch : frame.batches) temporal_.follow(view, batch, previousPositions);
     temporal_.run(view, frame.use.first ? Past::none : frame.use.still ? Past::still : Past::moving);
-    display_.run(view, joined(), DisplayPass::Output::display, target);
+    display_.run(view, {temporal_.picture()}, DisplayPass::Output::display, target);
     return;
   }
   temporal_.forget();
@@ -122,8 +128,9 @@ void Picture::readLinear(const FrameView& view, const Frame& frame, GLuint frame
   if (frame.use.kind == PictureUse::Kind::frame)
     composite_.run(view, CompositePass::Output::linear, target);
   else
-    display_.run(view, frame.use.kind == PictureUse::Kind::sample ? meanOfSamples() : joined(),
-                 DisplayPass::Output::linear, target);
+    display_.run(
+        view, frame.use.kind == PictureUse::Kind::sample ? meanOfSamples() : DisplayPass::Source{temporal_.picture()},
+        DisplayPass::Output::linear, target);
 }
 
 }  // namespace halfsilver

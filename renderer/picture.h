@@ -54,7 +54,8 @@ class Picture {
     Subject subject;  // without the settings that choose among reflections: they only change their share
     View last;
     std::uint32_t frames = 0;
-    int unsettled = 0;  // how many more frames of the same moment may still show what was before it
+    glm::dvec2 moved{0};  // how far the picture has, see meanMotion(); pixels, but for whole ones
+    int unsettled = 0;    // how many more frames of the same moment may still show what was before it
     bool changed = false;
   };
 
@@ -65,10 +66,7 @@ class Picture {
   };
 
   PictureUse beginTemporal(View view, std::uint32_t passes);
-  DisplayPass::Source meanOfSamples() const {
-    return {samples_.sum, nullptr, 1.0f / static_cast<float>(samples_.samples)};
-  }
-  DisplayPass::Source joined() const { return {temporal_.surface(), &temporal_.reflected()}; }
+  DisplayPass::Source meanOfSamples() const { return {samples_.sum, 1.0f / static_cast<float>(samples_.samples)}; }
 
   CompositePass composite_;
   AccumulatePass accumulate_;

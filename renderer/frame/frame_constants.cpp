@@ -222,6 +222,25 @@ glm::vec2 sampleOffset(std::uint32_t sample) {
   return {scrambled(sample, {0x0a807a90, 0x58d51a04}), scrambled(y, {0x5be2e842, 0x58846908})};
 }
 
+glm::dvec2 meanMotion(const Camera& before, const Camera& now, const glm::ivec2& size) {
+  const Lens from = lensOf(before, {}, size.x, size.y), to = lensOf(now, {}, size.x, size.y);
+  const double distance = glm::length(dvec3(before.target) - dvec3(before.eye));
+  const double place = 1 / std::sqrt(3.0);  // whose mean is that of the picture (Gauss)
+  glm::dvec2 sum(0);
+  for (const glm::dvec2& seen : {glm::dvec2(-place, -place), {place, -place}, {-place, place}, {place, place}}) {
+    const dvec3 across = seen.x * from.tangentX * from.basis.right + seen.y * from.tangentY * from.basis.up;
+    const dvec3 point = dvec3(before.eye) + distance * from.basis.forward + (from.parallel ? 1.0 : distance) * across;
+    const dvec3 fromEye = point - dvec3(now.eye);
+    const double along = to.parallel ? 1.0 : glm::dot(fromEye, to.basis.forward);
+    if (along <= 0) return glm::dvec2(0);
+    sum += glm::dvec2(glm::dot(fromEye, to.basis.right) / to.tangentX, glm::dot(fromEye, to.basis.up) / to.tangentY) /
+               along -
+           seen;
+  }
+  const glm::dvec2 motion = 0.25 * sum * 0.5 * glm::dvec2(size);
+  return std::isfinite(motion.x) && std::isfinite(motion.y) ? motion : glm::dvec2(0);
+}
+
 float smallestHitDistance(const Bounds& bounds) {
   if (bounds.empty()) return 0;
   const glm::vec3 largest = glm::max(glm::abs(bounds.low), glm::abs(bounds.high));

@@ -31,6 +31,10 @@ CameraMatrices cameraMatrices(const Camera& camera, const Bounds& bounds, const 
 // wide.
 glm::vec2 sampleOffset(std::uint32_t sample);
 
+// Pixels that things have moved to the right and up from the picture of one camera to that of another, on average over
+// the first, if all of them are as far away as its target. 0 if they do not see the same. Errors as above.
+glm::dvec2 meanMotion(const Camera& before, const Camera& now, const glm::ivec2& size);
+
 // Hits nearer than this are ignored by every method if a ray starts where coordinates are largest; elsewhere fewer are
 // (NEAREST_SHARE). Meters.
 float smallestHitDistance(const Bounds& bounds);

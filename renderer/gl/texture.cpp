@@ -14,6 +14,7 @@ std::size_t texelBytes(GLenum format) {
     case GL_R8:
     case GL_R8UI:
       return 1;
+    case GL_RG8:
     case GL_R16F:
       return 2;
     case GL_RGBA16F:

@@ -9,17 +9,15 @@ namespace halfsilver {
 
 void DisplayPass::run(const FrameView& view, const Source& source, Output output, const Target& target) {
   const bool depth = target.depth != DepthUse::none;
-  gl::Program& program = programs_[output == Output::linear][source.second != nullptr][depth];
+  gl::Program& program = programs_[output == Output::linear][depth];
   if (!program) {
     std::vector<gl::Define> defines;
     if (output == Output::linear) defines.push_back({"LINEAR"});
-    if (source.second) defines.push_back({"IN_TWO_PARTS"});
     program = draw_.program("passes/display.frag", std::move(defines), depth);
   }
   const auto section = view.profiler.section("composite");
   program.set("scale", source.scale);
-  source.first.bind(UNIT_PICTURE);
-  if (source.second) source.second->bind(UNIT_REFLECTED);
+  source.picture.bind(UNIT_PICTURE);
   draw_.run(view, program, target);
 }
 

@@ -10,11 +10,9 @@ class DisplayPass {
  public:
   explicit DisplayPass(const gl::Api& api) : draw_(api) {}
 
-  // The picture is `scale` times the sum of the parts.
   struct Source {
-    const gl::Texture& first;
-    const gl::Texture* second = nullptr;  // of the same size; none if null
-    float scale = 1;
+    const gl::Texture& picture;
+    float scale = 1;  // times the picture
   };
   enum class Output { display, linear };  // as CompositePass::Output
 
@@ -23,7 +21,7 @@ class DisplayPass {
 
  private:
   TargetDraw draw_;
-  gl::Program programs_[2][2][2];  // [linear][two parts][depth], made when first used
+  gl::Program programs_[2][2];  // [linear][depth], made when first used
 };
 
 }  // namespace halfsilver

@@ -1,30 +1,31 @@
 // Colors of earlier frames: where to read them and what of them can still be true.
 #include "shared/passes/temporal.h"
 
-// Weights of six neighboring texels for a place that lies `f` after the third: the polynomial through them (Lagrange).
-void quintic(float f, out float weights[6]) {
-  float a = f + 2.0, b = f + 1.0, c = f - 1.0, d = f - 2.0, e = f - 3.0;
-  weights = float[6](-b * f * c * d * e / 120.0, a * f * c * d * e / 24.0, -a * b * c * d * e / 12.0,
-                     a * b * f * d * e / 12.0, -a * b * f * c * e / 24.0, a * b * f * c * d / 120.0);
+// Three numbers of nine bits and a common exponent, 0 to 65,408: off by at most 1/512 of the largest.
+float powerOfTwo(int exponent) { return uintBitsToFloat(uint(exponent + 127) << 23); }
+uint packRadiance(vec3 c) {
+  const float LEAST = 1.0 / 65536.0;  // of an exponent of its own
+  c = min(max(c, 0.0), 65408.0);
+  float largest = max(max(c.r, c.g), max(c.b, LEAST));
+  int exponent = int(floatBitsToUint(largest) >> 23) - 126;  // the largest is 1/2 to 1 of its power
+  if (largest * powerOfTwo(9 - exponent) >= 511.5) ++exponent;
+  uvec3 mantissas = uvec3(c * powerOfTwo(9 - exponent) + 0.5);
+  return mantissas.r | mantissas.g << 9 | mantissas.b << 18 | uint(exponent + 15) << 27;
+}
+vec3 unpackRadiance(uint bits) {
+  float unit = powerOfTwo(int(bits >> 27) - 24);
+  return unit * vec3(bits & 511u, bits >> 9 & 511u, bits >> 18 & 511u);
 }
 
-// A history is resampled in every frame, so the filter's error adds up over all frames that it holds. A shorter filter
-// holds patterns back: of 16 frames at a quarter of a pixel each, stripes of six pixels lag by 0.01 pixel here, by 0.22
-// with Catmull-Rom. Never negative.
-vec3 smoothHistory(sampler2D history, vec2 at) {
-  ivec2 last = textureSize(history, 0) - 1, corner = ivec2(floor(at - 0.5)) - 2;
-  vec2 f = fract(at - 0.5);
-  float across[6], up[6];
-  quintic(f.x, across);
-  quintic(f.y, up);
-  vec3 sum = vec3(0.0);
-  for (int y = 0; y < 6; ++y) {
-    vec3 row = vec3(0.0);
-    for (int x = 0; x < 6; ++x)
-      row += across[x] * texelFetch(history, clamp(corner + ivec2(x, y), ivec2(0), last), 0).rgb;
-    sum += up[y] * row;
-  }
-  return max(sum, vec3(0.0));
+// What a frame shows in a pixel, and how many pixels that has moved since the frame before.
+uvec2 packSample(vec3 radiance, vec2 motion) { return uvec2(packRadiance(radiance), packHalf2x16(motion)); }
+
+// How much of the next sample a place shows that lies `between` a sample and that one, 0..1. A sample stands for a
+// square one pixel wide with edges a little soft: sharp ones would count it or not as the place moves by nothing, softer
+// ones blur.
+vec2 shareOfNext(vec2 between) {
+  const float SOFTNESS = 0.6;  // pixels
+  return clamp((between - 0.5) / SOFTNESS + 0.5, 0.0, 1.0);
 }
 
 // Brightness and two differences of colors, compressed as a display would: there, distances are what an eye sees.

@@ -4,18 +4,12 @@
 #include "shared/passes/display.h"
 
 layout(binding = UNIT_PICTURE) uniform sampler2D picture;
-#ifdef IN_TWO_PARTS
-layout(binding = UNIT_REFLECTED) uniform sampler2D reflected;
-#endif
 
 uniform float scale;
 
 void main() {
   ivec2 pixel = targetPixel();
   vec3 radiance = scale * texelFetch(picture, pixel, 0).rgb;
-#ifdef IN_TWO_PARTS
-  radiance += scale * texelFetch(reflected, pixel, 0).rgb;
-#endif
 #ifdef LINEAR
   color = vec4(radiance, 1.0);
 #else

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 
 #include <halfsilver/error.h>
 
@@ -60,6 +61,31 @@ TEST(SampleOffset, BeginsAtTheCenterAndFillsThePixelEvenly) {
     ++counts[static_cast<std::size_t>(at.x * 4) + 4 * static_cast<std::size_t>(at.y * 4)];
   }
   for (const int count : counts) EXPECT_EQ(count, 4);
+}
+
+TEST(MeanMotion, IsHowFarThingsAtTheTargetMoveOnTheScreen) {
+  const glm::ivec2 size(200, 100);
+  Camera before;
+  before.eye = {1, 2, 3};
+  before.target = {1, 2, -1};
+  before.verticalFov = glm::radians(50.0f);
+  EXPECT_LT(glm::length(meanMotion(before, before, size)), 1e-12);
+  const float pixel = 2 * 4 * std::tan(0.5f * before.verticalFov) / 100;
+  Camera now = before;
+  now.eye += glm::vec3(0.5f, -2, 0) * pixel;
+  now.target += glm::vec3(0.5f, -2, 0) * pixel;
+  EXPECT_LT(glm::length(meanMotion(before, now, size) - glm::dvec2(-0.5, 2)), 1e-4);
+  before.parallelHeight = now.parallelHeight = 100 * pixel;
+  EXPECT_LT(glm::length(meanMotion(before, now, size) - glm::dvec2(-0.5, 2)), 1e-4);
+  before.parallelHeight = now.parallelHeight = 0;
+  // A turn moves what is seen aside a little more than the middle.
+  now = before;
+  now.target.x += pixel;
+  const double turn = meanMotion(before, now, size).x;
+  EXPECT_LT(turn, -1.2);
+  EXPECT_GT(turn, -1.4);
+  now.target = {1, 2, 7};
+  EXPECT_EQ(meanMotion(before, now, size), glm::dvec2(0)) << "nothing is in both";
 }
 
 // Otherwise few samples show a picture that is moved.

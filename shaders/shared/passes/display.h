@@ -3,6 +3,5 @@
 #define HALFSILVER_PASSES_DISPLAY_H
 
 #define UNIT_PICTURE 0
-#define UNIT_REFLECTED 1  // of temporal antialiasing: what is to be added
 
 #endif
