@@ -16,7 +16,7 @@ struct Need {
 };
 
 // Storage blocks that the programs of the default settings and of all effects declare in a stage.
-constexpr GLint kComputeBlocks = 12, kFragmentBlocks = 7, kVertexBlocks = 5;
+constexpr GLint kComputeBlocks = 12, kFragmentBlocks = 8, kVertexBlocks = 5;
 
 std::vector<Need> needsOf(const Limits& limits);
 
