@@ -114,8 +114,7 @@ std::uint32_t rayRules(const PrimarySettings& primary, const ShadowSettings& sha
       {4, static_cast<std::uint32_t>(primary.every)},         {3, static_cast<std::uint32_t>(primary.neighborhood)},
       {2, static_cast<std::uint32_t>(primary.multisampling)}, {1, static_cast<std::uint32_t>(primary.hits)},
       {2, static_cast<std::uint32_t>(shadow.method)},         {5, static_cast<std::uint32_t>(shadow.kernel)},
-      {14, static_cast<std::uint32_t>(shadow.resolution)},
-      {1, static_cast<std::uint32_t>(shadow.projection)}};
+      {14, static_cast<std::uint32_t>(shadow.resolution)},    {1, static_cast<std::uint32_t>(shadow.projection)}};
   std::uint32_t rules = 0;
   for (const auto& [bits, value] : fields) rules = rules << bits | value;
   return rules;

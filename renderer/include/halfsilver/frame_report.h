@@ -30,12 +30,12 @@ struct MemoryReport {  // bytes unless marked as counts
   std::uint64_t geometry = 0;  // vertices, triangles, materials
   std::uint64_t textures = 0;  // of materials, and the sky
   std::uint64_t shadowMaps = 0;
-  std::uint64_t queues = 0;     // rays, their hits and light, of all frames
-  std::uint64_t transient = 0;  // of the tracer, beside the structure: the most at once
-  std::uint64_t pictures = 0;   // sums of samples and what else stays from frame to frame for smooth edges
+  std::uint64_t queues = 0;         // rays, their hits and light, of all frames
+  std::uint64_t transient = 0;      // of the tracer, beside the structure: the most at once
+  std::uint64_t pictures = 0;       // sums of samples and what else stays from frame to frame for smooth edges
   std::uint64_t largestBuffer = 0;  // that shaders read, of all that the context has made so far
   std::string largestBufferName;
-  std::uint64_t peak = 0;       // all GPU memory that the renderer held at once: the last eight, of all frames
+  std::uint64_t peak = 0;  // all GPU memory that the renderer held at once: the last eight, of all frames
 };
 
 struct FrameReport {
