@@ -8,7 +8,7 @@
 namespace halfsilver {
 namespace {
 
-// Frames until nothing is left of what was there before a change.
+// Frames until a still mean begins: half of what a moving one holds, so that a view soon comes to rest.
 constexpr int kSettling = 8;
 
 // Settings without those that change how radiance is shown and not radiance itself.

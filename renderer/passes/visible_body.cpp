@@ -42,7 +42,10 @@ VisibleBody visibleBody(const Camera& camera, float aspect, const Bounds& bounds
   VisibleBody body;
   if (camera.parallelHeight > 0 || bounds.empty()) return body;
   const vec3 forward = glm::normalize(camera.target - camera.eye);
-  const vec3 right = glm::normalize(glm::cross(forward, camera.up)), up = glm::cross(right, forward);
+  vec3 across = glm::cross(forward, camera.up);
+  if (!(glm::length(across) > 1e-6f * glm::length(camera.up)))  // as makeFrameConstants() has it
+    across = glm::cross(forward, std::abs(forward.y) < 0.9f ? vec3(0, 1, 0) : vec3(0, 0, -1));
+  const vec3 right = glm::normalize(across), up = glm::cross(right, forward);
   const float tall = std::tan(0.5f * camera.verticalFov), wide = tall * aspect;
   body.eye = camera.eye;
   body.forward = forward;
@@ -110,7 +113,8 @@ glm::mat4 fitLightSpace(const Bounds& bounds, const VisibleBody& body, const vec
   }
   const float inner = static_cast<float>(size - 2 * std::min(margin, size / 4)) / static_cast<float>(size);
   const float depth = 1.002f * space.extent().z, first = space.low.z - 0.001f * space.extent().z;
-  const vec4 x = inner / std::max(0.5f * (high - low), 1e-6f) * (vec4(1, 0, 0, 0) - 0.5f * (low + high) * w);
+  const vec4 x =
+      inner / std::max(0.5f * (high - low), 1e-6f * length / end) * (vec4(1, 0, 0, 0) - 0.5f * (low + high) * w);
   const vec4 y = inner / length * ((end + begin) * w - vec4(0, 0, 0, 2 * end * begin));
   const vec4 z = 2 * begin / depth * vec4(0, 0, 1, -first) - w;
 

@@ -178,7 +178,8 @@ int TracePass::run(const FrameView& view, const RayQueue& rays, const Hits& hits
         structure.bind();
         program.use();
         dispatchWaiting();
-        api_->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);  // what waiting rays ask for is read by what makes it
+        // What waiting rays ask for is read by what makes it, as data and as the size of its dispatches.
+        api_->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
       });
     }
   }

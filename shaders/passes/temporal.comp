@@ -61,11 +61,12 @@ void depthsBefore(vec2 at, out DepthRange surface, out DepthRange image) {
 // Sum of what up to `frames` frames before this one showed at a place that is followed back from frame to frame, and
 // how many they are. Every frame is read where its own samples lie: nothing is ever resampled. `what`: LAYER_...
 vec4 past(vec2 at, float frames, int what) {
+  const float ROUNDING = 1.0 / 32.0;  // of a count that was stored in eight bits; frames beyond it are none of its own
   ivec2 last = ivec2(frame.width, frame.height) - 1;
   vec4 sum = vec4(0.0);
   for (int age = 1; age < TEMPORAL_FRAMES; ++age) {
     float counted = min(frames - float(age - 1), 1.0);
-    if (counted <= 0.0 || !inside(at)) break;
+    if (counted <= ROUNDING || !inside(at)) break;
     int layer = 2 * ((number + TEMPORAL_FRAMES - age) % TEMPORAL_FRAMES) + what;
     vec2 place = at - jitters[age] - 0.5;
     ivec2 corner = ivec2(floor(place));

@@ -66,6 +66,18 @@ TEST(VisibleBody, HasItsCornersInTheSceneAndInTheView) {
   EXPECT_TRUE(visibleBody(inTheRoom(), kAspect, {}).corners.empty());
 }
 
+TEST(VisibleBody, IsThatOfTheViewIfTheCameraLooksStraightDown) {
+  Camera camera = inTheRoom();
+  camera.eye = {0, 10, 0};
+  camera.target = {0, 0, 0};
+  const VisibleBody body = visibleBody(camera, kAspect, kRoom);
+  ASSERT_FALSE(body.corners.empty());
+  for (const vec3& corner : body.corners) {
+    EXPECT_LE(corner.y, 10.001f) << "nothing behind the eye";
+    EXPECT_LE(std::abs(corner.x), kAspect * std::tan(glm::radians(25.0f)) * 10.01f);
+  }
+}
+
 TEST(VisibleBody, IsNothingBehindTheCameraOrInAParallelView) {
   Camera camera = inTheRoom();
   camera.eye = {0, 3, 100};

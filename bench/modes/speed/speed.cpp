@@ -26,8 +26,9 @@ std::vector<std::string> presetsOf(const Request& request, bool exact) {
 
 // Vertices of so many percent of the triangles, which stand together in the scene's order.
 std::vector<VertexRange> movingVertices(const Scene& scene, std::size_t share) {
-  const std::size_t count = std::max<std::size_t>(1, scene.triangles.size() * share / kPercent);
-  const std::size_t first = std::min(scene.triangles.size() / 2, scene.triangles.size() - count);
+  const std::size_t all = scene.triangles.size();
+  const std::size_t count = std::min(all, std::max<std::size_t>(1, all * share / kPercent));
+  const std::size_t first = std::min(all / 2, all - count);
   std::set<std::uint32_t> vertices;
   for (std::size_t i = first; i < first + count; ++i)
     vertices.insert(scene.triangles[i].vertices.begin(), scene.triangles[i].vertices.end());

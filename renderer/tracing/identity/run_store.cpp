@@ -154,8 +154,8 @@ bool RunStore::makeRoom(std::uint64_t besides) {
 void RunStore::fit(std::uint64_t besides, bool moving) {
   const Headroom& headroom = moving ? kMovingHeadroom : kStillHeadroom;
   const std::uint64_t used = known_.usedWords, left = used - known_.staleWords;
-  // The next move will take about as much.
-  const std::uint64_t next = moving && used > fitted_ ? 2 * used - fitted_ : used;
+  // The next move will take about as much; there is no more room than is made.
+  const std::uint64_t next = moving && used > fitted_ ? std::min(2 * used - fitted_, times(headroom.made, used)) : used;
   const bool unfit =
       capacity() < std::max(times(headroom.least, used), next) || capacity() > times(headroom.most, used);
   if (left == 0) {

@@ -1,5 +1,5 @@
-// Entries get their boxes when their run is complete. A place that no entry
-// was stored in may hold anything: what is no triangle becomes one, which the exact test of the search refuses.
+// Entries get their boxes when their run is complete. A place that no entry was stored in, which only the builds by
+// several steps may leave, may hold anything: what is no triangle becomes one, which the exact test of the search refuses.
 #ifndef RUN_ACCESS
 #define RUN_ACCESS
 #endif
