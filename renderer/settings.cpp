@@ -113,7 +113,7 @@ void visitAll(S& s, Visitor&& visit) {
   visit("effect.opacity", s.effect.opacity, 0, 1, "of a layer that is seen straight on");
   visit("shadow.method", s.shadow.method, 0, 0, "how shadows of direct lights are found");
   visit("shadow.projection", s.shadow.projection, 0, 0,
-        "how maps of directional lights lie: kept, or finer near the camera and drawn anew when it moves");
+        "how maps of directional lights lie: kept, or finer near the camera and redrawn when it moves");
   visit("shadow.samples", s.shadow.samples, 1, 64, "rays to a light that has an extent");
   visit("shadow.kernel", s.shadow.kernel, 1, 31,
         "pixels along the square around a shadow's edge that rays decide, odd");

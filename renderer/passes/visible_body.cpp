@@ -17,7 +17,7 @@ using glm::vec4;
 // infinitely fine there.
 constexpr float kNearest = 1.0f / 16;
 // Sine of the angle between view and light; below it the map is all but uniform.
-constexpr float kLeastSine = 1e-3f;
+constexpr float kMinSine = 1e-3f;
 
 // Adds the ends of what a line from `from` along `way`, at the parts low..high of it, has inside of all planes.
 void addClipped(const vec3& from, const vec3& way, float low, float high, const std::vector<vec4>& planes,
@@ -78,7 +78,7 @@ VisibleBody visibleBody(const Camera& camera, float aspect, const Bounds& bounds
 glm::mat4 fitLightSpace(const Bounds& bounds, const VisibleBody& body, const vec3& direction, int size, int margin) {
   const vec3 projected = body.forward - direction * glm::dot(body.forward, direction);
   const float sine = glm::length(projected);
-  const vec3 ahead = sine > kLeastSine ? projected / sine : anyPerpendicular(direction);
+  const vec3 ahead = sine > kMinSine ? projected / sine : anyPerpendicular(direction);
   const vec3 right = glm::cross(ahead, direction);
   const auto seen = [&](const vec3& point) {
     const vec3 p = point - body.eye;
@@ -101,7 +101,7 @@ glm::mat4 fitLightSpace(const Bounds& bounds, const VisibleBody& body, const vec
   }
   const float length = std::max(space.extent().y, 1e-6f * bounds.diagonal());
   nearest = std::max(nearest, kNearest * farthest);
-  const float begin = (nearest + std::sqrt(nearest * farthest)) / std::max(sine, kLeastSine), end = begin + length;
+  const float begin = (nearest + std::sqrt(nearest * farthest)) / std::max(sine, kMinSine), end = begin + length;
   // w of clip coordinates, as a row over (seen(p), 1): the way from the perspective's center.
   const vec4 w(0, 1, 0, begin - space.low.y);
 

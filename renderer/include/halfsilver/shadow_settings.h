@@ -14,7 +14,7 @@ enum class ShadowMethod {
 // How the map of a directional light lies.
 enum class ShadowProjection {
   uniform,     // over the whole scene, kept while the camera moves
-  perspective  // a second one over what the camera sees, finer near it and drawn anew when it moves
+  perspective  // a second one over what the camera sees, finer near it and redrawn when it moves
 };
 
 struct ShadowSettings {
