@@ -148,13 +148,17 @@ void Renderer::Impl::start(const Work& work, const Camera& camera, const Setting
   const bool through = frame.host.transmission != 0;
   const bool early = tracer && !byRays && !through && !effect->spawnReadsShading(wanted);
   if (early) submitBatch(view, frame, 0);
-  shadePass.run(view, frame.gbuffer);
+  if (byRays)
+    lightRays.lightPixels(
+        view, lights, tracing(view, frame),
+        [&](int firstRow, int rows) { shadePass.run(view, frame.gbuffer, firstRow, rows); },
+        static_cast<int>(frame.batches.size()), frame.lightRays);
+  else
+    shadePass.run(view, frame.gbuffer);
   if (through)
     seeThrough(view, frame);
   else
     frame.effect.behind = {};
-  if (byRays)
-    lightRays.lightPixels(view, lights, tracing(view, frame), static_cast<int>(frame.batches.size()), frame.lightRays);
   if (tracer && !early) submitBatch(view, frame, 0);
   change = {};
 }

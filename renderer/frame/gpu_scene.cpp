@@ -121,10 +121,6 @@ void uploadMaterials(const gl::Api& api, GpuScene& gpu, const Scene& scene, std:
       materials.begin(), materials.end(), [](const shared::GpuMaterial& material) { return material.dispersion > 0; }));
   gpu.coatedMaterials = countFlags(MATERIAL_COATED);
   gpu.lobes = countFlags(MATERIAL_SHEEN | MATERIAL_ANISOTROPIC) > 0;
-  constexpr float kLargestHalf = 65504;
-  gpu.beyondHalf = std::any_of(materials.begin(), materials.end(), [](const shared::GpuMaterial& material) {
-    return std::max({material.emissive.r, material.emissive.g, material.emissive.b}) > kLargestHalf;
-  });
   gpu.materials = gl::makeBuffer(api, std::span<const shared::GpuMaterial>(materials), "materials");
   if (!sameBytes(cut, gpu.cutMaterials)) ++gpu.casters;
   gpu.cutMaterials = std::move(cut);

@@ -35,8 +35,8 @@ void ShadowMaps::bind() const {
 
 std::size_t GBuffer::bytes() const {
   std::size_t sum = 0;
-  for (const gl::Texture* texture : {&depth, &visibility, &position, &normal, &baseColor, &material, &emissive, &lobes,
-                                     &coat, &shaded, &reflection, &seen, &motion, &shadowMarks, &tested})
+  for (const gl::Texture* texture : {&depth, &visibility, &position, &normal, &material, &lobes, &coat, &shaded,
+                                     &reflection, &seen, &occlusion, &motion, &shadowMarks, &tested})
     sum += texture->bytes();
   return sum;
 }
@@ -44,12 +44,12 @@ std::size_t GBuffer::bytes() const {
 void GBuffer::bindSurface() const {
   position.bind(UNIT_POSITION);
   normal.bind(UNIT_NORMAL);
-  baseColor.bind(UNIT_BASE_COLOR);
   material.bind(UNIT_MATERIAL);
-  emissive.bind(UNIT_EMISSIVE);
   visibility.bind(UNIT_VISIBILITY);
   (coat ? coat : normal).bind(UNIT_COAT);
   if (lobes) lobes.bind(UNIT_LOBES);
+  shaded.bindImage(IMAGE_SHADED, GL_READ_WRITE);
+  reflection.bindImage(IMAGE_REFLECTION, GL_READ_WRITE);
 }
 
 }  // namespace halfsilver

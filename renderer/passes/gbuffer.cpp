@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kTile = 8;
 
-GBuffer allocate(const gl::Api& api, int width, int height, GLenum emissive) {
+GBuffer allocate(const gl::Api& api, int width, int height) {
   const auto texture = [&](GLenum format, const char* label) {
     return gl::Texture(api, {GL_TEXTURE_2D, format, width, height, 1, 1}, label);
   };
@@ -22,9 +22,7 @@ GBuffer allocate(const gl::Api& api, int width, int height, GLenum emissive) {
   buffer.visibility = texture(GL_R32UI, "visibility");
   buffer.position = texture(GL_RGBA32F, "position");
   buffer.normal = texture(GL_RGBA32F, "normal");
-  buffer.baseColor = texture(GL_RGBA16F, "base color");
   buffer.material = texture(GL_RGBA16F, "material");
-  buffer.emissive = texture(emissive, "emissive");
   buffer.shaded = texture(GL_RGBA32F, "shaded");
   buffer.reflection = texture(GL_RGBA32F, "reflection");
   buffer.signature = gl::Buffer(api, sizeof(buffer.number), "signature");
@@ -48,10 +46,9 @@ GBufferPass::GBufferPass(const gl::Api& api)
 
 void GBufferPass::run(const FrameView& view, GBuffer& out, const PrimarySettings& primary) {
   const auto width = static_cast<int>(view.frame.width), height = static_cast<int>(view.frame.height);
-  const GLenum emissive = view.scene.beyondHalf ? GL_RGBA32F : GL_RGBA16F;
-  if (out.width != width || out.height != height || out.emissive.shape().format != emissive) {
+  if (out.width != width || out.height != height) {
     out = GBuffer{};  // the old memory goes before the new comes
-    out = allocate(*api_, width, height, emissive);
+    out = allocate(*api_, width, height);
   }
   const auto keepIf = [&](bool wanted, GLenum format, const char* label, gl::Texture& texture) {
     if (!wanted)
@@ -62,6 +59,7 @@ void GBufferPass::run(const FrameView& view, GBuffer& out, const PrimarySettings
   keepIf(view.scene.lobes, GL_RGBA32UI, "sheen and anisotropy", out.lobes);
   keepIf(view.frame.coats != 0, GL_RGBA32F, "coats", out.coat);
   keepIf(view.frame.glossySamples != 0, GL_RGBA32F, "seen by rough surfaces", out.seen);
+  keepIf(view.frame.glossySamples != 0, GL_R16F, "occlusion", out.occlusion);
   const auto section = view.profiler.section("gbuffer");
   rasterize(view, out);
   resolve(view, out, primary);
@@ -139,9 +137,9 @@ void GBufferPass::resolve(const FrameView& view, GBuffer& out, const PrimarySett
   out.visibility.bind(UNIT_VISIBILITY);
   out.position.bindImage(IMAGE_POSITION, GL_WRITE_ONLY);
   out.normal.bindImage(IMAGE_NORMAL, GL_WRITE_ONLY);
-  out.baseColor.bindImage(IMAGE_BASE_COLOR, GL_WRITE_ONLY);
   out.material.bindImage(IMAGE_MATERIAL, GL_WRITE_ONLY);
-  out.emissive.bindImage(IMAGE_EMISSIVE, GL_WRITE_ONLY);
+  out.shaded.bindImage(IMAGE_SHADED, GL_WRITE_ONLY);
+  out.reflection.bindImage(IMAGE_REFLECTION, GL_WRITE_ONLY);
   if (out.lobes) out.lobes.bindImage(IMAGE_LOBES, GL_WRITE_ONLY);
   if (out.coat) out.coat.bindImage(IMAGE_COAT, GL_WRITE_ONLY);
   gl.DispatchCompute(static_cast<GLuint>((out.width + kTile - 1) / kTile),

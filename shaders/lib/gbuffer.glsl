@@ -3,9 +3,7 @@
 
 layout(binding = UNIT_POSITION) uniform sampler2D gPosition;
 layout(binding = UNIT_NORMAL) uniform sampler2D gNormal;
-layout(binding = UNIT_BASE_COLOR) uniform sampler2D gBaseColor;
 layout(binding = UNIT_MATERIAL) uniform sampler2D gMaterial;
-layout(binding = UNIT_EMISSIVE) uniform sampler2D gEmissive;
 #ifdef LOBES
 layout(binding = UNIT_LOBES) uniform usampler2D gLobes;
 #endif

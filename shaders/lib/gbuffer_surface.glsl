@@ -1,13 +1,16 @@
-// The surface of a pixel, from the G-buffer.
+// The surface of a pixel, from the G-buffer, until deferred shading stores light over it.
 #include "lib/coat.glsl"
 #include "lib/gbuffer.glsl"
 #include "lib/surface.glsl"
 #include "lib/triangles.glsl"
 
+layout(rgba32f, binding = IMAGE_SHADED) uniform image2D shaded;
+layout(rgba32f, binding = IMAGE_REFLECTION) uniform image2D reflection;
+
 Surface surfaceOfPixel(ivec2 pixel, vec3 position) {
-  vec4 baseColor = texelFetch(gBaseColor, pixel, 0);
+  vec4 baseColor = imageLoad(shaded, pixel);
   vec4 material = texelFetch(gMaterial, pixel, 0);
-  vec4 emissive = texelFetch(gEmissive, pixel, 0);
+  vec4 emissive = imageLoad(reflection, pixel);
   vec4 normal = texelFetch(gNormal, pixel, 0);
   uint triangle = texelFetch(gVisibility, pixel, 0).r - 1u;
   vec3 a, b, c;

@@ -159,7 +159,7 @@ vec4 ambientLighting(Surface s, vec3 toEye) {
   // Where the sky is hidden a rough surface reflects the bounced light instead (the blend adds the visible sky). A pixel
   // that asks the screen has it from there.
   vec3 specular = reflected * bounce * (1.0 - sky.visibility);
-#ifdef ASKS_SCREEN
+#ifdef GLOSSY
   if (asksScreen) specular = vec3(0.0);
 #endif
 #ifdef LOBES

@@ -14,11 +14,11 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #ifndef PRIMARY_RULES
 layout(binding = UNIT_VISIBILITY) uniform usampler2D visibility;
 #endif
+layout(rgba32f, binding = IMAGE_SHADED) uniform writeonly image2D shaded;
+layout(rgba32f, binding = IMAGE_REFLECTION) uniform writeonly image2D reflection;
 layout(rgba32f, binding = IMAGE_POSITION) uniform writeonly image2D positionImage;
 layout(rgba32f, binding = IMAGE_NORMAL) uniform writeonly image2D normalImage;
-layout(rgba16f, binding = IMAGE_BASE_COLOR) uniform writeonly image2D baseColorImage;
 layout(rgba16f, binding = IMAGE_MATERIAL) uniform writeonly image2D materialImage;
-layout(binding = IMAGE_EMISSIVE) uniform writeonly image2D emissiveImage;
 #ifdef LOBES
 layout(rgba32ui, binding = IMAGE_LOBES) uniform writeonly uimage2D lobesImage;
 #endif
@@ -84,7 +84,7 @@ void main() {
 #endif
   imageStore(positionImage, pixel, position);
   imageStore(normalImage, pixel, normal);
-  imageStore(baseColorImage, pixel, baseColor);
   imageStore(materialImage, pixel, material);
-  imageStore(emissiveImage, pixel, emissive);
+  imageStore(shaded, pixel, baseColor);
+  imageStore(reflection, pixel, emissive);
 }

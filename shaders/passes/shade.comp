@@ -1,10 +1,11 @@
-// Deferred shading: direct light and sky light of every pixel, without reflections. With SHADOW_MARKS lights that are
-// in doubt at a pixel are left to rays, and the others are what the marks say. With COATS see lib/coat.glsl.
+// Deferred shading of a band of the screen: direct light and sky light of every pixel, without reflections. With
+// SHADOW_MARKS lights that are in doubt at a pixel are left to rays, and the others are what the marks say. With GLOSSY
+// what the pixel's surface reflects where the sky is hidden comes with GBuffer::seen. With COATS see lib/coat.glsl.
 #include "lib/gbuffer_surface.glsl"
 
-// What the pixel's surface reflects where the sky is hidden comes with GBuffer::seen.
-#define ASKS_SCREEN
+#ifdef GLOSSY
 bool asksScreen = false;
+#endif
 
 #include "lib/lights.glsl"
 #include "lib/sky.glsl"
@@ -15,7 +16,13 @@ bool asksScreen = false;
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(binding = IMAGE_SHADED) writeonly uniform image2D shaded;
+#ifdef GLOSSY
+layout(rgba32f, binding = IMAGE_SEEN) uniform writeonly image2D seen;
+layout(r16f, binding = IMAGE_OCCLUSION) uniform writeonly image2D occlusion;
+#endif
+
+uniform int firstRow;  // of the band
+uniform int rows;
 
 #ifdef SHADOW_MARKS
 // Of the lights that nothing around the pixel is hidden from.
@@ -34,18 +41,25 @@ vec3 undoubtedRadiance(ivec2 pixel, Surface s, vec3 toEye) {
 #endif
 
 void main() {
-  ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
-  if (pixel.x >= int(frame.width) || pixel.y >= int(frame.height)) return;
+  ivec2 pixel = ivec2(gl_GlobalInvocationID.xy) + ivec2(0, firstRow);
+  if (pixel.x >= int(frame.width) || pixel.y >= firstRow + rows) return;
   vec4 position = texelFetch(gPosition, pixel, 0);
+#ifdef GLOSSY
+  imageStore(seen, pixel, vec4(0.0, 0.0, 0.0, -1.0));  // nobody has looked yet
+#endif
   if (position.w <= 0.0) {
     imageStore(shaded, pixel, vec4(skyRadiance(normalize(pixelRay(pixel)), 0.0), 1.0));
+    imageStore(reflection, pixel, vec4(0.0));
     return;
   }
   Surface s = surfaceOfPixel(pixel, position.xyz);
   vec3 toEye = normalize(-fromCamera(position.xyz));
-  asksScreen = frame.glossySamples != 0u && !goesOn(texelFetch(gNormal, pixel, 0));
+#ifdef GLOSSY
+  imageStore(occlusion, pixel, vec4(s.occlusion));
+  asksScreen = !goesOn(texelFetch(gNormal, pixel, 0));
 #ifdef COATS
   asksScreen = asksScreen && texelFetch(gCoat, pixel, 0).z >= 0.0;  // and not the mirror above it
+#endif
 #endif
   vec4 lit = directLighting(s, toEye);
 #ifdef SHADOW_MARKS
@@ -60,4 +74,5 @@ void main() {
   }
 #endif
   imageStore(shaded, pixel, lit);
+  imageStore(reflection, pixel, vec4(0.0));
 }

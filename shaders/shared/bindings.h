@@ -29,9 +29,7 @@
 // The G-buffer.
 #define UNIT_POSITION 10
 #define UNIT_NORMAL 11
-#define UNIT_BASE_COLOR 12
 #define UNIT_MATERIAL 13
-#define UNIT_EMISSIVE 14
 #define UNIT_VISIBILITY 15
 #define UNIT_LOBES 24
 #define UNIT_COAT 25
@@ -39,5 +37,9 @@
 #define UNIT_SHADED 0
 #define UNIT_REFLECTION 1
 #define UNIT_SEEN 7
+// As images.
+#define IMAGE_SHADED 0
+#define IMAGE_REFLECTION 1
+#define IMAGE_SEEN 2
 
 #endif

@@ -83,10 +83,13 @@ void LightRays::begin(const gl::Program& program, const FrameView& view, const G
   queue.count.bindStorage(SSBO_NEXT_COUNT);
 }
 
-void LightRays::lightPixels(const FrameView& view, std::span<const Light> lights, const Trace& trace, int batches,
-                            LightRayFrame& frame) {
-  if (lights.empty()) return;
+void LightRays::lightPixels(const FrameView& view, std::span<const Light> lights, const Trace& trace,
+                            const Shade& shade, int batches, LightRayFrame& frame) {
   const GBuffer& gbuffer = view.gbuffer;
+  if (lights.empty()) {
+    shade(0, gbuffer.height);
+    return;
+  }
   const bool marked = static_cast<bool>(gbuffer.shadowMarks), coats = view.frame.coats != 0;
   gl::Program& fromPixels = fromPixels_[marked][view.scene.lobes][coats];
   if (!fromPixels) {
@@ -119,6 +122,7 @@ void LightRays::lightPixels(const FrameView& view, std::span<const Light> lights
                   overBand(fromPixels);
                 });
               });
+    shade(band.firstRow, band.rows);
     const auto section = view.profiler.section("shade");
     add_.use();
     add_.set("firstPixel", band.firstPixel);
@@ -126,9 +130,10 @@ void LightRays::lightPixels(const FrameView& view, std::span<const Light> lights
     frame.sums.bindStorage(SSBO_LIGHT_SUMS);
     gbuffer.shaded.bindImage(IMAGE_SHADED, GL_READ_WRITE);
     overBand(add_);
-    // The shaded pixels (compute) are read by selection, by the composite pass and by read-backs; the next band's fill
-    // follows the reads of the sums.
-    api_->MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+    // The shaded pixels (compute) are read by selection, by the composite pass and by read-backs, and added to by rays
+    // behind clear surfaces; the next band's fill follows the reads of the sums.
+    api_->MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT |
+                        GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
   }
 }
 

@@ -42,10 +42,14 @@ class LightRays {
   // How often a frame whose rays come in one batch has a tracer trace; `shaded`: generations of hits.
   static std::uint32_t traces(const FrameView& view, std::span<const Light> lights, int shaded);
 
-  // After the deferred shading: adds to GBuffer::shaded; with GBuffer::shadowMarks, of the lights that are in doubt.
-  // Sections "shade" and those of the tracer.
-  void lightPixels(const FrameView& view, std::span<const Light> lights, const Trace& trace, int batches,
-                   LightRayFrame& frame);
+  // Has the deferred pass shade a band of the screen.
+  using Shade = std::function<void(int firstRow, int rows)>;
+
+  // Deferred shading with these lights: each band is shaded when its rays have been sent, since that takes the surfaces
+  // that they start from, and what they bring is added to GBuffer::shaded; with GBuffer::shadowMarks, of the lights
+  // that are in doubt. Sections "shade" and those of the tracer.
+  void lightPixels(const FrameView& view, std::span<const Light> lights, const Trace& trace, const Shade& shade,
+                   int batches, LightRayFrame& frame);
   // What the reflected rays of a step hit: adds to EffectFrame::directLight, which the first generation begins.
   // `passesOn`: rays go on behind what blends.
   void lightHits(const FrameView& view, std::span<const Light> lights, const Trace& trace, const RayQueue& rays,

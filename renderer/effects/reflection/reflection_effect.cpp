@@ -277,7 +277,7 @@ void ReflectionEffect::lookAtScreen(const FrameView& view, const AnswerQueue& sc
     batch.hits.hits.bindStorage(SSBO_HITS);
     bindShaded(view);
     view.shadows.bind();
-    gbuffer.baseColor.bind(UNIT_BASE_COLOR);
+    gbuffer.occlusion.bind(UNIT_OCCLUSION);
     gbuffer.reflection.bind(UNIT_REFLECTION);
     gbuffer.seen.bindImage(IMAGE_SEEN, GL_WRITE_ONLY);
     api_->BindBuffer(GL_DISPATCH_INDIRECT_BUFFER, batch.rays.count.name());

@@ -38,8 +38,8 @@ struct GpuScene {
   DrawClusters clusters;                                                           // of the draw list
   std::vector<shared::GpuMaterial> cutMaterials;                                   // those with holes
   std::uint32_t clearMaterials = 0, dispersingMaterials = 0, coatedMaterials = 0;  // of MATERIAL_TRANSMISSIVE, ...
-  std::uint32_t blendingMaterials = 0;     // of AlphaMode::blend that are not opaque everywhere
-  bool lobes = false, beyondHalf = false;  // a material has sheen or is anisotropic; is brighter than halves can tell
+  std::uint32_t blendingMaterials = 0;  // of AlphaMode::blend that are not opaque everywhere
+  bool lobes = false;                   // a material has sheen or is anisotropic
   std::uint32_t casters = 0;  // counts changes of what casts shadows but for moves: of the draw list and of holes
   std::vector<gl::Texture> textures;  // buckets of equal size, at most TEXTURE_BUCKETS
   gl::TexelBuffer alphas;             // of the textures that cut holes, see GpuMaterial::alphaFirst
@@ -99,15 +99,14 @@ struct GBuffer {
   gl::Texture position;    // RGBA32F: xyz, w meters along the view axis; w = 0 if there is no surface
   gl::Texture normal;      // RGBA32F: shading normal, w reflectivity (faded by roughness); -alpha where a ray goes on
                            // behind a surface that blends
-  gl::Texture baseColor;   // RGBA16F: rgb, a occlusion
   gl::Texture material;    // RGBA16F: f0 rgb, roughness; -1 for unlit
-  gl::Texture emissive;    // RGBA16F, RGBA32F if a material is brighter than halves can be: rgb, a metallic
   gl::Texture lobes;       // RGBA32UI, only with GpuScene::lobes, see shaders/lib/gbuffer_surface.glsl
   gl::Texture coat;        // RGBA32F, only with FrameConstants::coats, see shaders/lib/coat.glsl
-  gl::Texture shaded;      // RGBA32F: deferred radiance, a sky visibility
-  gl::Texture reflection;  // RGBA32F: radiance of the traced rays, a 1 if traced
-  gl::Texture seen;        // RGBA32F, only with effect.glossy, see shaders/effects/reflection/seen.comp
-  gl::Texture motion;      // RG32F: pixels since the frame before, right and up; only if image.motion asks for it
+  // These two begin as base color, a occlusion, and emission, a metallic; deferred shading stores over them.
+  gl::Texture shaded;           // RGBA32F: deferred radiance, a sky visibility
+  gl::Texture reflection;       // RGBA32F: radiance of the traced rays, a 1 if traced
+  gl::Texture seen, occlusion;  // RGBA32F, R16F; only with effect.glossy, see shaders/effects/reflection/seen.comp
+  gl::Texture motion;           // RG32F: pixels since the frame before, right and up; only if image.motion asks for it
   // RG32UI array, a layer per 32 direct lights: bits of those that the shadow maps let through somewhere in a pixel's
   // neighborhood, and of those that they hide; in both: in doubt. Only with shadow.method = refined.
   gl::Texture shadowMarks;
@@ -118,7 +117,8 @@ struct GBuffer {
   gl::Buffer signature;
   std::uint32_t number = 0;
   std::size_t bytes() const;
-  // What deferred shading reads, UNIT_POSITION to UNIT_VISIBILITY, UNIT_COAT, and UNIT_LOBES if there are any.
+  // What deferred shading reads and stores over, UNIT_POSITION to UNIT_VISIBILITY, UNIT_COAT, UNIT_LOBES if there are
+  // any, IMAGE_SHADED and IMAGE_REFLECTION.
   void bindSurface() const;
 };
 

@@ -15,11 +15,12 @@ layout(std430, binding = SSBO_RAY_COUNT) readonly buffer RayCountBlock { RayCoun
 layout(std430, binding = SSBO_HITS) readonly buffer HitBlock { Hit hits[]; };
 
 layout(binding = UNIT_REFLECTION) uniform sampler2D gReflection;
+layout(binding = UNIT_OCCLUSION) uniform sampler2D gOcclusion;
 layout(binding = IMAGE_SEEN, rgba32f) uniform writeonly image2D seen;
 
 // Radiance of what hides the sky from a pixel's surface, as ambientLighting() has it.
 vec3 hidingTheSky(ivec2 pixel, vec3 normal, float visibility) {
-  return bouncedIrradiance(normal, visibility) * (texelFetch(gBaseColor, pixel, 0).a / 3.14159265358979);
+  return bouncedIrradiance(normal, visibility) * (texelFetch(gOcclusion, pixel, 0).r / 3.14159265358979);
 }
 
 // GBuffer::seen is being made: the sky and bounced light stand in for what the hit itself would ask the screen.

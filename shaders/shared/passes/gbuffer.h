@@ -8,11 +8,9 @@
 
 #define SSBO_PRIMARY_COUNTS 11  // uint[2], see GBuffer::primaryCounts
 
-#define IMAGE_POSITION 0
-#define IMAGE_NORMAL 1
-#define IMAGE_BASE_COLOR 2
-#define IMAGE_MATERIAL 3
-#define IMAGE_EMISSIVE 4
+#define IMAGE_POSITION 2
+#define IMAGE_NORMAL 3
+#define IMAGE_MATERIAL 4
 #define IMAGE_TESTED 5
 #define IMAGE_LOBES 6
 #define IMAGE_COAT 7

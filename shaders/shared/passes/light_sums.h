@@ -8,6 +8,4 @@
 #define SSBO_NEXT_PATHS 12  // ScatteredPath[]
 #define SSBO_NEXT_COUNT 13  // RayCount
 
-#define IMAGE_REFLECTION 0  // light of the traced rays; a: 1 where traced
-
 #endif

@@ -6,6 +6,6 @@
 #define SSBO_NEXT_PATHS 12  // RayPath[]
 #define SSBO_NEXT_COUNT 13  // RayCount
 
-#define IMAGE_SEEN 0  // GBuffer::seen
+#define UNIT_OCCLUSION 12  // GBuffer::occlusion
 
 #endif

@@ -5,7 +5,4 @@
 #define SSBO_SLOTS 10         // Radiance[]
 #define SSBO_DIRECT_LIGHT 11  // LightSum[] by pixel of the batch: direct light on what its rays found
 
-#define IMAGE_REFLECTION 0  // radiance carried by the traced rays; a: 1 where traced
-#define IMAGE_SHADED 0      // deferred radiance, to which that from behind clear surfaces is added
-
 #endif

@@ -2,6 +2,6 @@
 #ifndef HALFSILVER_PASSES_SHADE_H
 #define HALFSILVER_PASSES_SHADE_H
 
-#define IMAGE_SHADED 0  // deferred radiance; a: sky visibility
+#define IMAGE_OCCLUSION 3  // GBuffer::occlusion
 
 #endif

@@ -3,7 +3,7 @@
 #define HALFSILVER_PASSES_SHADOW_MARKS_H
 
 #define UNIT_SHADOW_MARKS 23  // usampler2DArray, see GBuffer::shadowMarks
-#define IMAGE_SHADOW_MARKS 0
+#define IMAGE_SHADOW_MARKS 3
 
 #define LIGHTS_PER_MARK 32u  // lights of a layer
 
