@@ -13,8 +13,7 @@ namespace {
 using glm::dvec2;
 using glm::dvec3;
 
-constexpr dvec3 kX(1, 0, 0), kY(0, 1, 0), kZ(0, 0, 1);
-constexpr double kStoneScale = 2.4, kBrickScale = 1.3, kPlainScale = 2.0;
+constexpr double kBrickScale = 1.3;
 
 // A molded string course; out and down from (0, 0.3) at the wall.
 Profile stringCourse() {
@@ -45,8 +44,6 @@ Profile fascia(double radius, double width) {
                           {0.03, radius},
                           {0, radius}});
 }
-
-Profile soffit(double radius, double depth) { return Profile().lines({{0, radius}, {-depth, radius}}); }
 
 // A bay's ceiling: two barrels of the same height that cross, springing from the four corners.
 void addGroinVault(MeshBuilder& build, const Materials& m, dvec3 center, dvec2 half, double height) {

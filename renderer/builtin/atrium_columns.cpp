@@ -11,7 +11,6 @@ namespace {
 using glm::dvec2;
 using glm::dvec3;
 
-constexpr double kPlainScale = 2.0;
 constexpr double kShaftFoot = 0.55, kShaftTop = 2.93;
 
 double shaftRadius(double t) { return 0.32 - 0.05 * (0.35 * t + 0.65 * t * t); }  // t 0 at the foot
@@ -122,7 +121,7 @@ void addColumns(MeshBuilder& build, const Materials& m) {
 }
 
 void addRailing(MeshBuilder& build, const Materials& m) {
-  constexpr double kX = 3.22, kTop = kGallery + 1.0, kSpacing = 0.12;
+  constexpr double kRailX = 3.22, kTop = kGallery + 1.0, kSpacing = 0.12;
   constexpr dvec3 kOut(-1, 0, 0), kUp(0, 1, 0);
   const double length = 2 * kHalfLength;
   // A turned bar with a bead in its middle.
@@ -134,14 +133,14 @@ void addRailing(MeshBuilder& build, const Materials& m) {
   bar.lathe(p, dvec3(0), 6);
   const int bars = static_cast<int>(std::lround(length / kSpacing));
   for (int i = 0; i < bars; ++i)
-    if (i % 15 != 7) build.append(bar.mesh(), {{kX, kGallery, -kHalfLength + kSpacing * (i + 0.5)}, 0});
+    if (i % 15 != 7) build.append(bar.mesh(), {{kRailX, kGallery, -kHalfLength + kSpacing * (i + 0.5)}, 0});
   build.use(m.railing);
-  build.box({kX - 0.02, kGallery + 0.08, -kHalfLength}, {kX + 0.02, kGallery + 0.11, kHalfLength});
-  build.box({kX - 0.02, kGallery + 0.90, -kHalfLength}, {kX + 0.02, kGallery + 0.94, kHalfLength});
+  build.box({kRailX - 0.02, kGallery + 0.08, -kHalfLength}, {kRailX + 0.02, kGallery + 0.11, kHalfLength});
+  build.box({kRailX - 0.02, kGallery + 0.90, -kHalfLength}, {kRailX + 0.02, kGallery + 0.94, kHalfLength});
   for (int i = 7; i < bars; i += 15) {
     const double z = -kHalfLength + kSpacing * (i + 0.5);
-    build.box({kX - 0.03, kGallery, z - 0.03}, {kX + 0.03, kTop + 0.02, z + 0.03});
-    build.lathe(Profile().arc({0, 0}, 0.055, 0.5 * kPi, -0.5 * kPi, 8), {kX, kTop + 0.07, z}, 16);
+    build.box({kRailX - 0.03, kGallery, z - 0.03}, {kRailX + 0.03, kTop + 0.02, z + 0.03});
+    build.lathe(Profile().arc({0, 0}, 0.055, 0.5 * kPi, -0.5 * kPi, 8), {kRailX, kTop + 0.07, z}, 16);
   }
   // The closed outline of the handrail.
   Profile rail;
@@ -149,7 +148,7 @@ void addRailing(MeshBuilder& build, const Materials& m) {
       .lines({{0.045, kTop - 0.01}, {0.035, kTop - 0.06}, {-0.035, kTop - 0.06}});
   rail.lines({{-0.035, kTop - 0.06}, {-0.045, kTop - 0.01}});
   build.use(m.wood, 1.0);
-  build.extrude(rail, {kX, 0, -kHalfLength}, kOut, kUp, length);
+  build.extrude(rail, {kRailX, 0, -kHalfLength}, kOut, kUp, length);
 }
 
 }  // namespace halfsilver::atrium

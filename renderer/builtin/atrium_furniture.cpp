@@ -13,8 +13,6 @@ namespace {
 using glm::dvec2;
 using glm::dvec3;
 
-constexpr double kPlainScale = 2.0;
-
 // A banner that hangs from a rod; its front faces `out` (along x).
 void addBanner(MeshBuilder& build, const Materials& m, std::uint32_t cloth, dvec3 top, double out, double width,
                double height, double phase) {

@@ -24,6 +24,8 @@ inline constexpr double kCeiling = 9.6;
 inline constexpr double kRoof = 10.15;
 inline constexpr double kRibRadius = 3.6;  // of the iron ribs above the nave
 inline constexpr double kLanternFoot = 4.9;
+// Meters per repetition of a texture.
+inline constexpr double kStoneScale = 2.4, kPlainScale = 2.0;
 
 struct Materials {
   std::uint32_t floor, stone, brick, ochre, limestone, carved, vault, verde, wood, railing, iron, bronze, terracotta,
@@ -31,6 +33,9 @@ struct Materials {
 };
 
 Materials makeMaterials(Scene& scene);
+
+// The underside of an arch.
+inline Profile soffit(double radius, double depth) { return Profile().lines({{0, radius}, {-depth, radius}}); }
 
 // z of column k, 0..kBays; of the middle of bay k, 0..kBays-1.
 inline double columnZ(int k) { return -kHalfLength + kBay * k; }

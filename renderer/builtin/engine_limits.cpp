@@ -11,12 +11,6 @@ namespace {
 
 using glm::dvec3;
 
-constexpr dvec3 kX(1, 0, 0), kY(0, 1, 0), kZ(0, 0, 1);
-
-void ball(Stage& stage, std::uint32_t material, dvec3 center, double radius) {
-  stage.build.use(material).lathe(Profile().arc({0, 0}, radius, 0.5 * kPi, -0.5 * kPi, 24), center, 48);
-}
-
 }  // namespace
 
 // Three soft columns of three joints each, which bow to all sides.
@@ -64,7 +58,7 @@ Model makeFigures() {
 Model makeRipples() {
   Stage stage;
   stage.floor();
-  ball(stage, Stage::blue, {0.9, 0.3, 0.3}, 0.25);
+  stage.ball(Stage::blue, {0.9, 0.3, 0.3}, 0.25);
   stage.build.use(Stage::moving).surface(64, 32, {1, 1}, [](double s, double t) {
     const double x = -1.2 + 1.8 * s, y = 1.2 - 1.15 * t;
     return dvec3(x, y, -0.3 + 0.06 * std::sin(9 * x + 4 * y));
@@ -117,9 +111,9 @@ Model makePanes() {
     stage.build.use(addMaterial(stage.model.scene, pane))
         .rectangle({-1.4 + 0.4 * i, 1.1, -0.6 + 0.4 * i}, {1.9, 0, 0}, {0, -1.05, 0});
   }
-  ball(stage, Stage::blue, {-0.5, 0.3, -0.9}, 0.25);
-  ball(stage, Stage::green, {0.3, 0.3, -0.1}, 0.15);
-  ball(stage, Stage::yellow, {-0.9, 0.2, 0.6}, 0.15);
+  stage.ball(Stage::blue, {-0.5, 0.3, -0.9}, 0.25);
+  stage.ball(Stage::green, {0.3, 0.3, -0.1}, 0.15);
+  stage.ball(Stage::yellow, {-0.9, 0.2, 0.6}, 0.15);
   return stage.finish();
 }
 
@@ -134,7 +128,7 @@ Model makeThinWalls() {
     stage.build.use(colors[i]).box({left, 0, -1}, {left + kHalf, 0.9, 0.4});
     stage.build.box({right - kHalf, 0, -1}, {right, 0.9, 0.4});
     stage.build.box({left, 0, -1.02}, {right, 0.9, -1});
-    ball(stage, colors[(i + 1) % 4], {left + 0.4, 0.25, -0.4}, 0.15);
+    stage.ball(colors[(i + 1) % 4], {left + 0.4, 0.25, -0.4}, 0.15);
   }
   return stage.finish();
 }
@@ -153,9 +147,9 @@ Model makeOneMesh() {
   stage.build.use(Stage::green).box({-0.5, 0.5, -0.9}, {0.5, 0.55, -0.3});
   for (const double x : {-0.45, 0.4})
     for (const double z : {-0.85, -0.4}) stage.build.box({x, 0, z}, {x + 0.05, 0.5, z + 0.05});
-  ball(stage, Stage::blue, {0.1, 0.7, -0.6}, 0.15);
-  ball(stage, Stage::red, {-0.6, 0.9, -2.4}, 0.5);
-  ball(stage, Stage::blue, {0.7, 0.8, -2.2}, 0.4);
+  stage.ball(Stage::blue, {0.1, 0.7, -0.6}, 0.15);
+  stage.ball(Stage::red, {-0.6, 0.9, -2.4}, 0.5);
+  stage.ball(Stage::blue, {0.7, 0.8, -2.2}, 0.4);
   stage.model.scene.cameras.front() = lookAt("room", {0.2f, 1.1f, 1.4f}, {0, 0.35f, -0.6f}, 60);
   return stage.finish();
 }

@@ -28,6 +28,9 @@ class Stage {
   void floor(double half = 2) {
     build.use(mirror).rectangle(glm::dvec3(-half, 0, -half), glm::dvec3(2 * half, 0, 0), glm::dvec3(0, 0, 2 * half));
   }
+  void ball(std::uint32_t material, glm::dvec3 center, double radius, int segments = 24) {
+    build.use(material).lathe(Profile().arc({0, 0}, radius, 0.5 * kPi, -0.5 * kPi, segments), center, 2 * segments);
+  }
   // With its own corners, counter-clockwise.
   void triangle(glm::dvec3 a, glm::dvec3 b, glm::dvec3 c) {
     const glm::dvec3 normal = glm::normalize(glm::cross(b - a, c - a)), tangent = glm::normalize(b - a);

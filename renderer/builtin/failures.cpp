@@ -11,14 +11,10 @@ namespace {
 
 using glm::dvec3;
 
-void ball(Stage& stage, std::uint32_t material, dvec3 center, double radius, int segments = 24) {
-  stage.build.use(material).lathe(Profile().arc({0, 0}, radius, 0.5 * kPi, -0.5 * kPi, segments), center, 2 * segments);
-}
-
 void threeBalls(Stage& stage) {
-  ball(stage, Stage::red, {-0.8, 0.35, 0}, 0.3);
-  ball(stage, Stage::green, {0, 0.35, -0.4}, 0.3);
-  ball(stage, Stage::blue, {0.8, 0.35, 0}, 0.3);
+  stage.ball(Stage::red, {-0.8, 0.35, 0}, 0.3);
+  stage.ball(Stage::green, {0, 0.35, -0.4}, 0.3);
+  stage.ball(Stage::blue, {0.8, 0.35, 0}, 0.3);
 }
 
 // In each voxel of a wall, two small horizontal triangles win the vote for the axis, two to one: the wall is lost.
@@ -116,9 +112,9 @@ Model coplanar() {
 Model smallTriangles() {
   Stage stage;
   stage.floor();
-  ball(stage, Stage::red, {-0.5, 0.3, 0}, 0.2, 128);
-  ball(stage, Stage::green, {0.2, 0.2, 0.2}, 0.1, 128);
-  ball(stage, Stage::blue, {0.6, 0.15, 0.4}, 0.05, 128);
+  stage.ball(Stage::red, {-0.5, 0.3, 0}, 0.2, 128);
+  stage.ball(Stage::green, {0.2, 0.2, 0.2}, 0.1, 128);
+  stage.ball(Stage::blue, {0.6, 0.15, 0.4}, 0.05, 128);
   return stage.finish();
 }
 
@@ -208,7 +204,7 @@ Model crossing() {
 Model growing() {
   Stage stage;
   stage.floor();
-  ball(stage, Stage::moving, {0, 0.6, 0}, 0.005, 48);
+  stage.ball(Stage::moving, {0, 0.6, 0}, 0.005, 48);
   return stage.finish();
 }
 

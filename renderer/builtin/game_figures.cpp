@@ -15,8 +15,6 @@ using glm::dquat;
 using glm::dvec2;
 using glm::dvec3;
 
-constexpr dvec3 kX(1, 0, 0), kY(0, 1, 0), kZ(0, 0, 1);
-
 enum Joint : std::uint32_t {
   kHips,
   kSpine,

@@ -12,16 +12,12 @@ using namespace atrium;
 using glm::dvec2;
 using glm::dvec3;
 
-constexpr dvec3 kX(1, 0, 0), kY(0, 1, 0), kZ(0, 0, 1);
-constexpr double kStoneScale = 2.4, kPlainScale = 2.0;
 constexpr int kArchSegments = 14;
 
 Profile band(double radius, double width) {
   return Profile().lines(
       {{0, radius + width}, {0.06, radius + width}, {0.06, radius + 0.6 * width}, {0.03, radius}, {0, radius}});
 }
-
-Profile soffit(double radius, double depth) { return Profile().lines({{0, radius}, {-depth, radius}}); }
 
 void addVault(MeshBuilder& build, const atrium::Materials& m, double z) {
   // Two barrels that cross, over one bay of the aisle.

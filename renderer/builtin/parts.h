@@ -10,6 +10,8 @@
 // What all scenes made in code share: the built-in ones and those of benchmarks.
 namespace halfsilver {
 
+inline constexpr glm::dvec3 kX(1, 0, 0), kY(0, 1, 0), kZ(0, 0, 1);
+
 Model makeSphereScene();
 Model makeTeapotScene();
 Model makeAtriumScene();

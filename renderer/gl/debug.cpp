@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "gl/draw_state.h"
+
 namespace halfsilver::gl {
 namespace {
 
@@ -11,8 +13,6 @@ void APIENTRY collect(GLenum, GLenum type, GLuint, GLenum severity, GLsizei leng
   if (message.error() || severity == GL_DEBUG_SEVERITY_MEDIUM)
     static_cast<std::vector<DebugMessage>*>(const_cast<void*>(messages))->push_back(message);
 }
-
-void enable(const Api& api, GLenum capability, bool on) { on ? api.Enable(capability) : api.Disable(capability); }
 
 }  // namespace
 
@@ -28,8 +28,8 @@ DebugLog::DebugLog(const Api& api)
 
 DebugLog::~DebugLog() {
   api_->DebugMessageCallback(nullptr, nullptr);
-  enable(*api_, GL_DEBUG_OUTPUT, wasEnabled_);
-  enable(*api_, GL_DEBUG_OUTPUT_SYNCHRONOUS, wasSynchronous_);
+  setEnabled(*api_, GL_DEBUG_OUTPUT, wasEnabled_);
+  setEnabled(*api_, GL_DEBUG_OUTPUT_SYNCHRONOUS, wasSynchronous_);
 }
 
 std::vector<DebugMessage> DebugLog::take() { return std::exchange(messages_, {}); }

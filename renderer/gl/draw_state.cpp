@@ -3,14 +3,13 @@
 namespace halfsilver::gl {
 
 void DrawState::apply(const Api& api) const {
-  const auto enable = [&api](GLenum capability, bool on) { on ? api.Enable(capability) : api.Disable(capability); };
   api.Viewport(viewport.x, viewport.y, viewport.z, viewport.w);
-  enable(GL_DEPTH_TEST, depthTest);
+  setEnabled(api, GL_DEPTH_TEST, depthTest);
   api.DepthFunc(depthFunction);
   api.DepthMask(depthWrite);
   api.DepthRange(0, 1);
   api.ClipControl(GL_LOWER_LEFT, clipDepth);
-  enable(GL_CULL_FACE, cullFaces);
+  setEnabled(api, GL_CULL_FACE, cullFaces);
   api.CullFace(culledFace);
   api.FrontFace(frontFace);
   api.ColorMask(colorWrite, colorWrite, colorWrite, colorWrite);

@@ -6,6 +6,11 @@
 
 namespace halfsilver::gl {
 
+// glEnable or glDisable.
+inline void setEnabled(const Api& api, GLenum capability, bool on) {
+  on ? api.Enable(capability) : api.Disable(capability);
+}
+
 // The whole fixed-function state of a pass's draws and clears, so that a pass never depends on what an earlier one has
 // left behind and has nothing to put back. The defaults are those of a pass without depth, culling and blending:
 //

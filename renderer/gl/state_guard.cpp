@@ -5,6 +5,8 @@
 #include <iterator>
 #include <vector>
 
+#include "gl/draw_state.h"
+
 namespace halfsilver::gl {
 
 // What the renderer touches or depends on. The members' defaults are GL's initial values.
@@ -206,9 +208,7 @@ SavedState initial(const Api& api, const SavedState* caller) {
   return state;
 }
 
-void enable(const Api& api, GLenum capability, bool on) { on ? api.Enable(capability) : api.Disable(capability); }
-
-void enable(const Api& api, GLenum capability, std::size_t index, bool on) {
+void setEnabledAt(const Api& api, GLenum capability, std::size_t index, bool on) {
   on ? api.Enablei(capability, static_cast<GLuint>(index)) : api.Disablei(capability, static_cast<GLuint>(index));
 }
 
@@ -251,7 +251,7 @@ void applyBindings(const Api& api, const SavedState& state) {
 }
 
 void applyRasterization(const Api& api, const SavedState& state) {
-  for (const SavedState::Capability& capability : state.capabilities) enable(api, capability.name, capability.on);
+  for (const SavedState::Capability& capability : state.capabilities) setEnabled(api, capability.name, capability.on);
   api.DepthFunc(static_cast<GLenum>(state.depthFunction));
   api.DepthMask(state.depthMask);
   api.CullFace(static_cast<GLenum>(state.cullFace));
@@ -266,13 +266,13 @@ void applyRasterization(const Api& api, const SavedState& state) {
     api.ViewportIndexedf(index, viewport.box[0], viewport.box[1], viewport.box[2], viewport.box[3]);
     api.DepthRangeIndexed(index, viewport.depth[0], viewport.depth[1]);
     api.ScissorIndexed(index, viewport.scissor[0], viewport.scissor[1], viewport.scissor[2], viewport.scissor[3]);
-    enable(api, GL_SCISSOR_TEST, i, viewport.scissorTest);
+    setEnabledAt(api, GL_SCISSOR_TEST, i, viewport.scissorTest);
   }
   for (std::size_t i = 0; i < state.drawBuffers.size(); ++i) {
     const SavedState::DrawBuffer& buffer = state.drawBuffers[i];
     const GLuint index = static_cast<GLuint>(i);
     const auto factor = [&buffer](std::size_t n) { return static_cast<GLenum>(buffer.factors[n]); };
-    enable(api, GL_BLEND, i, buffer.blend);
+    setEnabledAt(api, GL_BLEND, i, buffer.blend);
     api.BlendFuncSeparatei(index, factor(0), factor(1), factor(2), factor(3));
     api.BlendEquationSeparatei(index, static_cast<GLenum>(buffer.equations[0]),
                                static_cast<GLenum>(buffer.equations[1]));

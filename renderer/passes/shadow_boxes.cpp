@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "scene/longest_side.h"
+
 namespace halfsilver {
 namespace {
 
@@ -14,11 +16,6 @@ constexpr float kFewestTexels = 1, kWantedTexels = 32;
 constexpr int kMaxBoxes = 4;      // a light has six maps; the core and the whole scene take two
 constexpr float kSteepest = 8;    // size of a box over that of the one in it
 constexpr float kStepsOfEye = 8;  // per size of a box
-
-float longestSide(const Bounds& bounds) {
-  const vec3 extent = bounds.extent();
-  return std::max({extent.x, extent.y, extent.z});
-}
 
 // It grows and moves by steps of a quarter, so that maps are kept while something moves in it.
 Bounds smallCore(std::span<const DrawCluster> clusters, float whole) {

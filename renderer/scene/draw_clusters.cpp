@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "scene/longest_side.h"
 #include "scene/vertex_ranges.h"
 
 namespace halfsilver {
@@ -48,11 +49,6 @@ std::vector<DrawCluster> split(const Scene& scene, std::span<const std::uint32_t
     ++pieces.back().count;
   }
   return pieces;
-}
-
-float longestSide(const Bounds& bounds) {
-  const glm::vec3 extent = bounds.extent();
-  return std::max({extent.x, extent.y, extent.z});
 }
 
 Bounds boundsOf(const Scene& scene, std::uint32_t triangle) {

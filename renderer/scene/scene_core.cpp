@@ -8,6 +8,7 @@
 #include <queue>
 #include <utility>
 
+#include "scene/longest_side.h"
 #include "scene/vertex_ranges.h"
 
 namespace halfsilver {
@@ -16,14 +17,6 @@ namespace {
 constexpr float kWorthwhile = 4;
 // Of the longest side of a posed part's box, by which it grows at least.
 constexpr float kSlack = 0.125f;
-
-// 0 for an empty box, and never NaN.
-float longestSide(const Bounds& bounds) {
-  const glm::vec3 extent = bounds.extent();
-  float longest = 0;
-  for (int axis = 0; axis < 3; ++axis) longest = std::max(longest, extent[axis]);
-  return longest;
-}
 
 Bounds boundsOf(const Scene& scene, const Triangle& triangle) {
   Bounds bounds;

@@ -8,6 +8,7 @@
 #include "apps/demo/game/level.h"
 #include "apps/demo/game/world.h"
 #include "builtin/random.h"
+#include "game_level.h"
 
 // How the ball of the game rolls, hits and is carried, and where its camera goes.
 namespace halfsilver::demo {
@@ -163,11 +164,6 @@ TEST(GamePhysics, FallingOutPutsTheBallBackToTheLastSafePlace) {
   EXPECT_NEAR(world.ball().position.y, 0.4, 0.01);
 }
 
-// The game's own level, made once.
-const Model& level() {
-  static const Model model = makeBuiltin("game");
-  return model;
-}
 const TriangleGrid& ground() {
   static const TriangleGrid grid = Level::ground(level());
   return grid;

@@ -13,16 +13,12 @@
 #include "apps/demo/game/game.h"
 #include "apps/demo/game/recording.h"
 #include "builtin/random.h"
+#include "game_level.h"
 #include "temporary_folder.h"
 
 // Whole rounds of the game, recordings of them, and the controller that holds a frame time.
 namespace halfsilver::demo {
 namespace {
-
-const Model& level() {
-  static const Model model = makeBuiltin("game");
-  return model;
-}
 
 struct Round {
   Recording recording;

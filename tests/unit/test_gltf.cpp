@@ -5,32 +5,15 @@
 
 #include <halfsilver/error.h>
 #include <halfsilver/io.h>
-#include "gltf_files.h"
+#include "gltf_loading.h"
 
 // Geometry and hierarchy of glTF files with known answers.
 namespace halfsilver::testing {
 namespace {
 
-Model load(const GltfFile& file) {
-  const TemporaryFolder folder;
-  return loadGltf(folder.write("scene.glb", file.glb()));
-}
-
-glm::vec3 corner(const Model& model, std::size_t triangle, std::size_t k) {
-  return model.scene.vertices[model.scene.triangles.at(triangle).vertices[k]].position;
-}
 glm::vec3 normalOf(const Model& model, std::size_t triangle) {
   const glm::vec3 a = corner(model, triangle, 0);
   return glm::normalize(glm::cross(corner(model, triangle, 1) - a, corner(model, triangle, 2) - a));
-}
-const Vertex& vertex(const Model& model, std::size_t triangle, std::size_t k) {
-  return model.scene.vertices[model.scene.triangles.at(triangle).vertices[k]];
-}
-bool near(const glm::vec3& a, const glm::vec3& b, float tolerance = 1e-5f) { return glm::distance(a, b) <= tolerance; }
-bool warns(const Model& model, const std::string& text) {
-  for (const std::string& warning : model.warnings)
-    if (warning.find(text) != std::string::npos) return true;
-  return false;
 }
 
 const std::vector<float> kStrip = {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0};

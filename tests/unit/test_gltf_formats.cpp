@@ -13,8 +13,6 @@
 namespace halfsilver::testing {
 namespace {
 
-std::string text(const gltf::Resource& resource) { return {resource.bytes.begin(), resource.bytes.end()}; }
-
 // The square with an image in a texture's extension; `fallback` is the texture's own.
 Model imaged(const std::string& extension, const std::string& image, bool fallback) {
   GltfFile file;
@@ -64,7 +62,7 @@ constexpr const char* kAvif =
     "/9hUMgxEYAAAULBmkWudaYASAAoJGAz/2CBAQNCAMhERgAAAQABXtthY9+PZwXtPfg==";
 
 TEST(GltfFormats, AvifTexturesNeedOpenImageIo) {
-  const std::string image = text(gltf::readUri(std::string("data:;base64,") + kAvif, {}));
+  const std::string image = textOf(gltf::readUri(std::string("data:;base64,") + kAvif, {}));
   if (HALFSILVER_OPENIMAGEIO) {
     for (const bool fallback : {false, true}) {
       const Model model = imaged("EXT_texture_avif", image, fallback);

@@ -5,7 +5,7 @@
 
 #include <halfsilver/error.h>
 #include <halfsilver/io.h>
-#include "gltf_files.h"
+#include "gltf_loading.h"
 #include "scene/tangents.h"
 #include "shared_scenes.h"
 
@@ -31,16 +31,6 @@ GltfFile textured(json material, json sampler = json::object()) {
   file.add("textures", {{"source", 0}, {"sampler", 0}});
   file.add("materials", std::move(material));
   return file;
-}
-
-Model load(const GltfFile& file) {
-  const TemporaryFolder folder;
-  return loadGltf(folder.write("scene.glb", file.glb()));
-}
-
-bool warns(const Model& model, const std::string& text) {
-  return std::any_of(model.warnings.begin(), model.warnings.end(),
-                     [&](const std::string& warning) { return warning.find(text) != std::string::npos; });
 }
 
 TEST(GltfMaterial, FactorsAndFlags) {

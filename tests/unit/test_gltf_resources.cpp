@@ -2,7 +2,7 @@
 
 #include <halfsilver/error.h>
 #include <halfsilver/io.h>
-#include "gltf_files.h"
+#include "gltf_loading.h"
 #include "io/gltf_uri.h"
 
 // Where buffers and images come from: chunks of a .glb, files, data URIs.
@@ -10,8 +10,6 @@ namespace halfsilver::testing {
 namespace {
 
 using gltf::readUri;
-
-std::string text(const gltf::Resource& resource) { return {resource.bytes.begin(), resource.bytes.end()}; }
 
 // The message, or nothing if the file loads.
 std::string load(const std::filesystem::path& file) {
@@ -30,7 +28,7 @@ TEST(GltfResources, AUriNamesTheFileThatItsEscapesSpell) {
   folder.write("outside.bin", "outside");
   for (const char* name : {"a+b", "a b", "100%", "c#1", "d?e", "\xc3\xa9", "sub/inner"})
     folder.write("scene/" + std::string(name), name);
-  const auto read = [&](const char* uri) { return text(readUri(uri, folder.path() / "scene")); };
+  const auto read = [&](const char* uri) { return textOf(readUri(uri, folder.path() / "scene")); };
   EXPECT_EQ(read("a+b"), "a+b") << "a plus is a plus";
   EXPECT_EQ(read("a%2Bb"), "a+b");
   EXPECT_EQ(read("a%2bb"), "a+b");
@@ -73,11 +71,11 @@ TEST(GltfResources, DataMayHaveAnyMediaTypeParametersAndCase) {
   for (const char* head : {"data:application/octet-stream;base64,", "data:application/gltf-buffer;base64,",
                            "data:image/png;base64,", "data:;base64,", "DATA:Text/Plain;CharSet=UTF-8;BASE64,",
                            "data:application/x;a=b;c=\"d;e\";base64,", "data:image/ktx2;base64,"})
-    EXPECT_EQ(text(readUri(std::string(head) + "aGk+Lw==", {})), "hi>/") << head;
-  EXPECT_EQ(text(readUri("data:;base64,aGk%2BLw%3D%3D", {})), "hi>/") << "escaped base64";
-  EXPECT_EQ(text(readUri("data:;base64,aGk+\n Lw", {})), "hi>/") << "without padding";
-  EXPECT_EQ(text(readUri("data:,a%20b+c", {})), "a b+c") << "without base64";
-  EXPECT_EQ(text(readUri("data:text/plain;charset=US-ASCII,%00%FF", {})), std::string("\0\xff", 2));
+    EXPECT_EQ(textOf(readUri(std::string(head) + "aGk+Lw==", {})), "hi>/") << head;
+  EXPECT_EQ(textOf(readUri("data:;base64,aGk%2BLw%3D%3D", {})), "hi>/") << "escaped base64";
+  EXPECT_EQ(textOf(readUri("data:;base64,aGk+\n Lw", {})), "hi>/") << "without padding";
+  EXPECT_EQ(textOf(readUri("data:,a%20b+c", {})), "a b+c") << "without base64";
+  EXPECT_EQ(textOf(readUri("data:text/plain;charset=US-ASCII,%00%FF", {})), std::string("\0\xff", 2));
   for (const char* uri :
        {"data:;base64,a", "data:;base64,a=b=", "data:;base64,****", "data:", "data:;base64", "data:,%zz"})
     EXPECT_FALSE(readUri(uri, {}).problem.empty()) << uri;

@@ -8,16 +8,11 @@
 #include <halfsilver/error.h>
 #include <halfsilver/io.h>
 #include <halfsilver/pose.h>
-#include "gltf_files.h"
+#include "gltf_loading.h"
 #include "shared_scenes.h"
 
 namespace halfsilver::testing {
 namespace {
-
-Model load(const GltfFile& file) {
-  const TemporaryFolder folder;
-  return loadGltf(folder.write("scene.glb", file.glb()));
-}
 
 // A triangle whose node follows one channel.
 GltfFile animated(const char* path, const std::vector<float>& times, const std::vector<float>& values, const char* type,
@@ -31,16 +26,12 @@ GltfFile animated(const char* path, const std::vector<float>& times, const std::
   return file;
 }
 
+glm::vec3 corner(const Model& model, std::size_t k) { return vertex(model, 0, k).position; }
+
 SceneChange poseAt(Model& model, double seconds, int animation = 0) {
   const Playing playing{animation, seconds};
   return pose(model, std::span(&playing, 1));
 }
-
-glm::vec3 corner(const Model& model, std::size_t k) {
-  return model.scene.vertices[model.scene.triangles.at(0).vertices[k]].position;
-}
-
-bool near(const glm::vec3& a, const glm::vec3& b, float tolerance = 1e-5f) { return glm::distance(a, b) <= tolerance; }
 
 TEST(Pose, StaticScenesDoNotMove) {
   GltfFile file;

@@ -11,6 +11,7 @@
 #include "shared/passes/gbuffer.h"
 #include "shared/tracing.h"
 #include "tracing/raster.h"
+#include "tracing/resize.h"
 
 namespace halfsilver {
 namespace {
@@ -23,12 +24,6 @@ std::size_t texelCount(int texels) {
 }
 
 int blocksAlong(int texels, int block) { return (texels + block - 1) / block; }
-
-void reserve(const gl::Api& api, std::size_t bytes, const char* label, gl::Buffer& buffer) {
-  if (buffer.bytes() == bytes) return;
-  buffer = gl::Buffer();  // the old memory goes before the new comes
-  buffer = gl::Buffer(api, bytes, label);
-}
 
 }  // namespace
 
@@ -104,7 +99,7 @@ void DepthCube::draw(const DrawPrograms& programs, const FrameView& view, const 
 }
 
 void DepthCube::count(const FrameView& view, const Grid& grid) {
-  reserve(*api_, texelCount(texels_) * sizeof(GLuint), "samples of texels", sampleCounts_);
+  resize(*api_, sampleCounts_, texelCount(texels_) * sizeof(GLuint), "samples of texels");
   sampleCounts_.fill(0);
   counters_.clear();
   // Clears come before the fragments' atomics.
@@ -134,7 +129,7 @@ void DepthCube::allocate(int layers) {
   triangles_ = makeImage(GL_R32UI, layers, "triangles of layers");
   colors_ = makeImage(GL_RGBA8, layers, "colors of layers");
   const auto along = static_cast<std::size_t>(blocksAlong(texels_, settings_.block));
-  reserve(*api_, kAxes * along * along * sizeof(glm::vec2), "blocks of layers", blocks_);
+  resize(*api_, blocks_, kAxes * along * along * sizeof(glm::vec2), "blocks of layers");
 }
 
 void DepthCube::peel(const FrameView& view, const Grid& grid) {

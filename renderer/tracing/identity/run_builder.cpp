@@ -6,8 +6,8 @@
 
 #include "scene/vertex_ranges.h"
 #include "shared/tracing.h"
-#include "tracing/identity/resize.h"
 #include "tracing/raster.h"
+#include "tracing/resize.h"
 
 namespace halfsilver {
 namespace {

@@ -14,8 +14,6 @@ constexpr double kStep = 2.1, kClimb = 0.12;      // how far from a platform it 
 constexpr double kCruise = 3.4, kBoarding = 2.2;  // m/s
 constexpr int kPatience = 45 * kStepsPerSecond;
 
-double onLevel(const dvec3& a, const dvec3& b) { return std::hypot(a.x - b.x, a.z - b.z); }
-
 }  // namespace
 
 Autopilot::Goal Autopilot::goal(const Game& game, std::size_t index) const {

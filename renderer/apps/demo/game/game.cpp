@@ -17,8 +17,6 @@ constexpr float kGoalGlow = 14, kDusk = 0.04f;
 
 Node& nodeOf(Rig& rig, int node) { return rig.nodes[static_cast<std::size_t>(node)]; }
 
-double onLevel(const dvec3& a, const dvec3& b) { return std::hypot(a.x - b.x, a.z - b.z); }
-
 }  // namespace
 
 Game::Game(Model model)

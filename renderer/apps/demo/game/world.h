@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <glm/gtc/quaternion.hpp>
@@ -13,6 +14,9 @@ namespace halfsilver::demo {
 
 inline constexpr int kSubsteps = 4;  // of a game step
 inline constexpr double kSubstepSeconds = 1.0 / 240;
+
+// Distance along the level.
+inline double onLevel(const glm::dvec3& a, const glm::dvec3& b) { return std::hypot(a.x - b.x, a.z - b.z); }
 
 struct Ball {
   glm::dvec3 position{0};
