@@ -114,7 +114,7 @@ class Interactive {
     if (drawPicture(start)) followClicks(controls);
     const std::vector<Segment> cells = session_.cells(options_);
     OverlayState state{options_, log_,          session_.playing().model(), viewer(), clicked_,
-                       message_, holder_.say(), session_.status(options_),  cells};
+                       message_, holder_.say(), session_.status(options_),  cells,    window_.hasGamepad()};
     const SceneChange change = overlay_.layOut(window_.size(), seconds, session_.backdrops(), state);
     clear();
     overlay_.draw();

@@ -93,7 +93,7 @@ SceneChange Overlay::layOut(const Size& size, double seconds, std::span<const Ba
   drawStatus(state, scale);
   SceneChange change;
   if (state.options.split) drawSplitter(state.options, scale);
-  if (state.options.keys) drawKeys(state.options, scale);
+  if (state.options.keys) drawKeys(state, scale);
   if (state.options.overlay) {
     drawFigures(state, scale);
     change = drawControls(state, scale);

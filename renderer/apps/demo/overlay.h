@@ -37,6 +37,7 @@ struct OverlayState {
   std::string controller;                  // what holds the frame time
   std::vector<std::string> status;         // of the play
   std::span<const Segment> segments = {};  // over the picture
+  bool gamepad = false;                    // is connected
   bool resized = false;                    // so panels go back to their places; set by layOut()
 };
 

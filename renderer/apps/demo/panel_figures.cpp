@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "apps/demo/panels.h"
+#include "apps/demo/viewer.h"
 
 namespace halfsilver::demo {
 namespace {
@@ -77,7 +78,8 @@ void drawSplitter(Options& options, float scale) {
   ImGui::End();
 }
 
-void drawKeys(const Options& options, float scale) {
+void drawKeys(const OverlayState& state, float scale) {
+  const Options& options = state.options;
   const ImVec2 area = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({0.5f * area.x, 0.5f * area.y}, ImGuiCond_Always, {0.5f, 0.5f});
   ImGui::SetNextWindowBgAlpha(0.85f);
@@ -87,15 +89,15 @@ void drawKeys(const Options& options, float scale) {
     ImGui::SameLine(110 * scale);
     ImGui::Text("%s%s%s", what, *now ? ": " : "", now);
   };
-  const auto state = [](bool on) { return on ? "on" : "off"; };
-  line("G", "overlay", state(options.overlay));
-  line("F1", "this list", state(options.keys));
-  line("Space", "exact reference of the view", state(options.reference));
-  line("Tab", "split screen", state(options.split));
+  const auto onOff = [](bool on) { return on ? "on" : "off"; };
+  line("G", "overlay", onOff(options.overlay));
+  line("F1", "this list", onOff(options.keys));
+  line("Space", "exact reference of the view", onOff(options.reference));
+  line("Tab", "split screen", onOff(options.split));
   line("1 .. 9", "what the picture shows", kViewNames[static_cast<int>(options.view)]);
   line("B", "cells of the structure", kCellNames[static_cast<int>(options.cells)]);
-  line("T", "frozen time", state(options.frozen));
-  line("V", "vertical sync", state(options.verticalSync));
+  line("T", "frozen time", onOff(options.frozen));
+  line("V", "vertical sync", onOff(options.verticalSync));
   line("F11", "fullscreen");
   line("F12", "screenshot; with Shift at four times the size");
   line("L", "layers of the picture to an EXR file");
@@ -108,7 +110,10 @@ void drawKeys(const Options& options, float scale) {
   line("mouse", "left: orbit; middle: pan; wheel: zoom; double click: pivot");
   line("F", "show what was clicked, or all");
   line("left, right", "the folder's scenes");
-  line("P", "pause the animations");
+  line("drop", "a scene's file on the window opens it");
+  line("P", "pause the animations", state.viewer ? onOff(state.viewer->paused) : "");
+  line("gamepad", "sticks roll and look, triggers fly up and down", state.gamepad ? "connected" : "none");
+  line("", "A starts, Start restarts, Y puts the ball back, X is day or night, the pad is lanterns");
   line("Esc", "end");
   ImGui::End();
 }

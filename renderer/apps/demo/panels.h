@@ -9,6 +9,6 @@ void drawStatus(const OverlayState& state, float scale);
 void drawFigures(const OverlayState& state, float scale);  // times as plots, memory, rays
 SceneChange drawControls(OverlayState& state, float scale);
 void drawSplitter(Options& options, float scale);
-void drawKeys(const Options& options, float scale);
+void drawKeys(const OverlayState& state, float scale);
 
 }  // namespace halfsilver::demo

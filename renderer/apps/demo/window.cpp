@@ -13,18 +13,11 @@ namespace {
 
 constexpr float kDragPixels = 4;       // less is a click
 constexpr double kDoubleClick = 0.35;  // seconds
-constexpr float kDeadZone = 0.15f;     // of a stick
 
 std::string lastProblem() {
   const char* text = nullptr;
   glfwGetError(&text);
   return text ? text : "unknown reason";
-}
-
-glm::vec2 stick(float x, float y) {
-  const glm::vec2 value(x, -y);
-  const float length = glm::length(value);
-  return length < kDeadZone ? glm::vec2(0) : value * std::min(1.0f, (length - kDeadZone) / (1 - kDeadZone)) / length;
 }
 
 }  // namespace
@@ -157,22 +150,8 @@ Controls Window::controls(bool overlayHasMouse, bool overlayHasKeys) {
     controls.daylight = pressed(GLFW_KEY_N);
     for (int i = 0; i < 4; ++i) controls.lanterns[i] = pressed(GLFW_KEY_F5 + i);
   }
-  readGamepad(controls);
+  gamepad_.read(glfwGetGamepadState, controls);
   return controls;
-}
-
-bool Window::hasGamepad() const { return glfwJoystickIsGamepad(GLFW_JOYSTICK_1) == GLFW_TRUE; }
-
-void Window::readGamepad(Controls& controls) const {
-  GLFWgamepadstate state;
-  if (!glfwGetGamepadState(GLFW_JOYSTICK_1, &state)) return;
-  const glm::vec2 left = stick(state.axes[GLFW_GAMEPAD_AXIS_LEFT_X], state.axes[GLFW_GAMEPAD_AXIS_LEFT_Y]);
-  controls.move.x = glm::clamp(controls.move.x + left.x, -1.0f, 1.0f);
-  controls.move.z = glm::clamp(controls.move.z + left.y, -1.0f, 1.0f);
-  controls.turn = stick(state.axes[GLFW_GAMEPAD_AXIS_RIGHT_X], state.axes[GLFW_GAMEPAD_AXIS_RIGHT_Y]);
-  controls.action = controls.action || state.buttons[GLFW_GAMEPAD_BUTTON_A] == GLFW_PRESS;
-  controls.restart = controls.restart || state.buttons[GLFW_GAMEPAD_BUTTON_START] == GLFW_PRESS;
-  controls.reset = controls.reset || state.buttons[GLFW_GAMEPAD_BUTTON_Y] == GLFW_PRESS;
 }
 
 }  // namespace halfsilver::demo

@@ -9,6 +9,7 @@
 
 #include "apps/arguments.h"
 #include "apps/demo/controls.h"
+#include "apps/demo/gamepad.h"
 
 struct GLFWwindow;
 
@@ -44,11 +45,10 @@ class Window {
   bool pressed(int key) const { return pressed_.count(key) != 0; }  // GLFW's name
   bool shift() const;
   std::vector<std::string> takeDropped();
-  bool hasGamepad() const;
+  bool hasGamepad() const { return gamepad_.connected(); }
 
  private:
   struct Callbacks;
-  void readGamepad(Controls& controls) const;
 
   struct Terminate {
     Terminate();
@@ -59,6 +59,7 @@ class Window {
   Size size_;
   double contentScale_ = 1;
   std::set<int> pressed_;
+  Gamepad gamepad_;
   std::vector<std::string> dropped_;
   float wheel_ = 0;
   std::optional<glm::vec2> last_;  // the pointer in the last frame
