@@ -28,7 +28,10 @@ void addDemoCommand(CLI::App& program) {
   command->add_option("--split", request.split, "A preset or a method that draws the right half");
   command->add_flag("--window", request.window, "Open a window with --frames, too");
   command->add_flag("--overlay", request.overlay, "Draw the overlay into the frames of --frames, too");
-  command->callback([shared] { runDemo(*shared); });
+  command->callback([shared, size = command->get_option("--size")] {
+    shared->sized = size->count() > 0;
+    runDemo(*shared);
+  });
 }
 
 }  // namespace halfsilver

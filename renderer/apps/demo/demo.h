@@ -23,6 +23,7 @@ struct Request {
   std::string show, cells;             // names of View and Cells; empty: the picture, none
   std::string split;                   // a preset or a method that draws the right side; empty: no split screen
   bool window = false, overlay = false;
+  bool sized = false;  // view.size was asked for: it is in pixels whatever the display's content scale
 };
 
 // Plays until the end; throws nothing. The outcome is an exit code and, unless it is 0, one line.

@@ -28,7 +28,7 @@ class Interactive {
   explicit Interactive(const Request& request)
       : request_(request),
         options_(firstOptions(request)),
-        window_(parseSize(request.view.size), "Halfsilver"),
+        window_(parseSize(request.view.size), !request.sized && !request.frames, "Halfsilver"),
         api_(gl::Api::load(window_.getProcAddress())),
         overlay_(window_.handle(), request.contentScale.value_or(window_.contentScale())),
         session_(api_, window_.getProcAddress(), request.view.threads) {

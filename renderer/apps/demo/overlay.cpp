@@ -15,12 +15,14 @@ namespace {
 
 constexpr float kFontPixels = 15;    // at scale 1
 constexpr float kBitmapPixels = 13;  // of Dear ImGui's own font, whose outlines are pixels
+// First and last characters: Latin, Greek, Cyrillic and punctuation, as names of files and materials have them.
+constexpr ImWchar kCharacters[] = {0x20, 0x24f, 0x370, 0x52f, 0x1e00, 0x1eff, 0x2010, 0x205e, 0};
 
 // At its size, so that it is never stretched.
 void addFont(ImFontAtlas& fonts, float scale) {
   std::error_code ignored;
   if (std::filesystem::is_regular_file(HALFSILVER_DEMO_FONT, ignored) &&
-      fonts.AddFontFromFileTTF(HALFSILVER_DEMO_FONT, std::round(kFontPixels * scale)))
+      fonts.AddFontFromFileTTF(HALFSILVER_DEMO_FONT, std::round(kFontPixels * scale), nullptr, kCharacters))
     return;
   ImFontConfig config;
   config.SizePixels = kBitmapPixels * std::max(1.0f, std::round(scale));
@@ -53,6 +55,7 @@ Overlay::~Overlay() {
 
 void Overlay::setScale(double scale) {
   scale_ = scale;
+  area_ = glm::vec2(0);  // so that panels are laid out at the new scale
   ImFontAtlas& fonts = *ImGui::GetIO().Fonts;
   fonts.Clear();
   addFont(fonts, static_cast<float>(scale));
@@ -103,15 +106,17 @@ SceneChange Overlay::layOut(const Size& size, double seconds, std::span<const Ba
 }
 
 void Overlay::layOutProgress(const Size& size, const std::string& what, float done) {
-  begin(size, 1.0 / 60);
-  const ImVec2 area = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos({0.5f * area.x, 0.5f * area.y}, ImGuiCond_Always, {0.5f, 0.5f});
-  ImGui::SetNextWindowSize({0.5f * area.x, 0});
-  ImGui::Begin("progress", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove);
-  ImGui::TextUnformatted(what.c_str());
-  ImGui::ProgressBar(done, {-1, 0});
-  ImGui::End();
-  ImGui::Render();
+  for (int i = 0; i < 2; ++i) {  // the second knows how high the text is
+    begin(size, 1.0 / 60);
+    const ImVec2 area = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos({0.5f * area.x, 0.5f * area.y}, ImGuiCond_Always, {0.5f, 0.5f});
+    ImGui::SetNextWindowSize({0.5f * area.x, 0});
+    ImGui::Begin("progress", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove);
+    ImGui::TextWrapped("%s", what.c_str());
+    ImGui::ProgressBar(done, {-1, 0});
+    ImGui::End();
+    ImGui::Render();
+  }
 }
 
 void Overlay::draw() const { ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData()); }

@@ -134,9 +134,9 @@ SceneChange drawControls(OverlayState& state, float scale) {
   Options& options = state.options;
   SceneChange change;
   const ImVec2 area = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos({area.x - 10 * scale, 10 * scale}, state.resized ? ImGuiCond_Always : ImGuiCond_FirstUseEver,
-                          {1, 0});
-  ImGui::SetNextWindowSize({350 * scale, 0}, ImGuiCond_FirstUseEver);
+  const ImGuiCond when = state.resized ? ImGuiCond_Always : ImGuiCond_FirstUseEver;
+  ImGui::SetNextWindowPos({area.x - 10 * scale, 10 * scale}, when, {1, 0});
+  ImGui::SetNextWindowSize({std::min(350 * scale, area.x - 20 * scale), 0}, when);
   ImGui::SetNextWindowBgAlpha(0.75f);
   ImGui::Begin("Controls");
   ImGui::PushItemWidth(-155 * scale);

@@ -40,11 +40,12 @@ struct Window::Callbacks {
   static void focus(GLFWwindow* window, int) { of(window).last_.reset(); }  // no jump of the view on return
 };
 
-Window::Window(const Size& size, const std::string& title) {
+Window::Window(const Size& size, bool scaled, const std::string& title) {
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
   glfwWindowHint(GLFW_DEPTH_BITS, 0);
+  glfwWindowHint(GLFW_SCALE_TO_MONITOR, scaled);
   window_ = glfwCreateWindow(size.width, size.height, title.c_str(), nullptr, nullptr);
   if (!window_) throw Error(ErrorKind::noContext, "no window with OpenGL 4.5: " + lastProblem());
   glfwSetWindowUserPointer(window_, this);

@@ -18,8 +18,9 @@ namespace halfsilver::demo {
 // A window with an OpenGL 4.5 core context, current on this thread. One at a time.
 class Window {
  public:
-  // Throws Error (noContext): no display, or no such context.
-  Window(const Size& size, const std::string& title);
+  // `scaled`: the size is multiplied by the display's content scale. Throws Error (noContext): no display, or no such
+  // context.
+  Window(const Size& size, bool scaled, const std::string& title);
   ~Window();
   Window(const Window&) = delete;
   Window& operator=(const Window&) = delete;
