@@ -34,6 +34,7 @@ class Interactive {
         session_(api_, window_.getProcAddress(), request.view.threads) {
     if (!request.frames) load(configFolder(), options_);
     applyOverrides(options_.settings, request.view);
+    window_.setVerticalSync(options_.verticalSync);
     good_ = options_;
     scene_ = request.view.scene;
   }
@@ -188,13 +189,15 @@ class Interactive {
     }
   }
 
-  // Says in the window what went wrong, or what was done.
+  // Says in the window what went wrong, or what was done. Returns whether it was.
   template <class Work>
-  void attempt(Work&& work) {
+  bool attempt(Work&& work) {
     try {
       message_ = work();
+      return true;
     } catch (const std::exception& error) {
       message_ = error.what();
+      return false;
     }
   }
 
@@ -220,8 +223,8 @@ class Interactive {
     });
   }
 
-  void open(const std::string& scene) {
-    attempt([&] {
+  bool open(const std::string& scene) {
+    return attempt([&] {
       showProgress("loading " + scene, 0.3f);
       std::unique_ptr<Play> next = makeViewer(request_, scene);
       keepGame();
@@ -242,8 +245,10 @@ class Interactive {
     open(files[static_cast<std::size_t>(index)].string());
   }
 
+  // The first that is a scene.
   void openDropped() {
-    for (const std::string& file : window_.takeDropped()) open(file);
+    for (const std::string& file : window_.takeDropped())
+      if (open(file)) return;
   }
 
   const Request& request_;

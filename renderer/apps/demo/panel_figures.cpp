@@ -37,7 +37,9 @@ void drawStatus(const OverlayState& state, float scale) {
   ImGui::SetNextWindowBgAlpha(0.45f);
   ImGui::Begin("status", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_AlwaysAutoResize);
+  ImGui::PushTextWrapPos(0.9f * area.x);
   for (const std::string& line : lines) ImGui::TextUnformatted(line.c_str());
+  ImGui::PopTextWrapPos();
   ImGui::End();
 }
 

@@ -81,6 +81,7 @@ void Window::poll() {
   else
     glfwWaitEventsTimeout(0.1);
   glfwGetFramebufferSize(window_, &size_.width, &size_.height);
+  if (glfwGetWindowAttrib(window_, GLFW_ICONIFIED)) size_ = {0, 0};  // on X11 it keeps its size
 }
 
 void Window::show() { glfwSwapBuffers(window_); }

@@ -59,8 +59,8 @@ class Window {
   GLFWwindow* window_ = nullptr;
   Size size_;
   double contentScale_ = 1;
-  std::set<int> pressed_;
   Gamepad gamepad_;
+  std::set<int> pressed_;
   std::vector<std::string> dropped_;
   float wheel_ = 0;
   std::optional<glm::vec2> last_;  // the pointer in the last frame
