@@ -29,8 +29,10 @@ Window::Terminate::~Terminate() { glfwTerminate(); }
 
 struct Window::Callbacks {
   static Window& of(GLFWwindow* window) { return *static_cast<Window*>(glfwGetWindowUserPointer(window)); }
-  static void key(GLFWwindow* window, int key, int, int action, int) {
-    if (action == GLFW_PRESS) of(window).pressed_.insert(key);
+  static void key(GLFWwindow* window, int key, int, int action, int modifiers) {
+    if (action != GLFW_PRESS) return;
+    of(window).pressed_.insert(key);
+    of(window).shift_ = (modifiers & GLFW_MOD_SHIFT) != 0;
   }
   static void scroll(GLFWwindow* window, double, double notches) { of(window).wheel_ += static_cast<float>(notches); }
   static void drop(GLFWwindow* window, int count, const char** paths) {
@@ -99,11 +101,6 @@ void Window::toggleFullscreen() {
   glfwGetWindowPos(window_, &windowed_[0], &windowed_[1]);
   glfwGetWindowSize(window_, &windowed_[2], &windowed_[3]);
   glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
-}
-
-bool Window::shift() const {
-  return glfwGetKey(window_, GLFW_KEY_LEFT_SHIFT) == GLFW_PRESS ||
-         glfwGetKey(window_, GLFW_KEY_RIGHT_SHIFT) == GLFW_PRESS;
 }
 
 std::vector<std::string> Window::takeDropped() { return std::exchange(dropped_, {}); }

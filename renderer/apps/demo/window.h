@@ -44,7 +44,7 @@ class Window {
   // Of the last poll(). Pointer and wheel are left out while the overlay wants the mouse, keys while it wants those.
   Controls controls(bool overlayHasMouse, bool overlayHasKeys);
   bool pressed(int key) const { return pressed_.count(key) != 0; }  // GLFW's name
-  bool shift() const;
+  bool shift() const { return shift_; }                             // was held with the last of them
   std::vector<std::string> takeDropped();
   bool hasGamepad() const { return gamepad_.connected(); }
 
@@ -61,6 +61,7 @@ class Window {
   double contentScale_ = 1;
   Gamepad gamepad_;
   std::set<int> pressed_;
+  bool shift_ = false;
   std::vector<std::string> dropped_;
   float wheel_ = 0;
   std::optional<glm::vec2> last_;  // the pointer in the last frame
