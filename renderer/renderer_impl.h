@@ -16,6 +16,7 @@
 #include "effects/light_rays/light_rays.h"
 #include "effects/ray_effect.h"
 #include "frame/gpu_rig.h"
+#include "frame/surface_reader.h"
 #include "frame_record.h"
 #include "passes/gbuffer.h"
 #include "passes/interpolate.h"
@@ -82,12 +83,14 @@ struct Renderer::Impl {
   std::optional<std::size_t> reported;  // the record of the frame that finished last
   std::deque<std::size_t> unreported;   // records of finished frames, the oldest first
 
-  std::optional<RayReader> rayReader;  // of readLayers()
+  std::optional<RayReader> rayReader;          // of readLayers()
+  std::optional<SurfaceReader> surfaceReader;  // of that and of pick()
 
   FrameView viewOf(Frame& frame, gl::Profiler& profiler) const {
     return {scene, shadows, frame.constants, frame.host, profiler, frame.gbuffer};
   }
   void checkDevice() const;
+  const SurfaceReader& surfaces();
   std::size_t takeRecord();
   bool keepsWork() const;
   std::vector<shared::RayWork> readWork();

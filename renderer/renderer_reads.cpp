@@ -35,6 +35,11 @@ std::vector<std::vector<std::uint32_t>> Renderer::Impl::readAnswers() const {
   return all;
 }
 
+const SurfaceReader& Renderer::Impl::surfaces() {
+  if (!surfaceReader) surfaceReader.emplace(api);
+  return *surfaceReader;
+}
+
 Image Renderer::readLayers() const {
   Impl& r = *impl_;
   if (!r.shown)
@@ -52,16 +57,18 @@ Image Renderer::readLayers() const {
   r.api.MemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
   if (!r.rayReader) r.rayReader.emplace(r.api);
   const std::vector<shared::RayWork> work = r.reported && r.keepsWork() ? r.readWork() : std::vector<shared::RayWork>();
-  Image layers = assembleLayers(r.viewOf(frame, untimed), linear, frame.batches, work, r.readAnswers(), *r.rayReader);
+  Image layers = assembleLayers(r.viewOf(frame, untimed), linear, frame.batches, work, r.readAnswers(), r.surfaces(),
+                                *r.rayReader);
   return frame.tally.any() ? withTally(std::move(layers), frame.tally, static_cast<double>(frame.host.diagonal))
                            : layers;
 }
 
 std::optional<Picked> Renderer::pick(int x, int y) const {
-  const Impl& r = *impl_;
+  Impl& r = *impl_;
   if (!r.shown)
     throw Error(ErrorKind::usage, "pick() needs a finished frame of the present scene: call render() first");
-  const GBuffer& gbuffer = r.frames[*r.shown].gbuffer;
+  Frame& frame = r.frames[*r.shown];
+  const GBuffer& gbuffer = frame.gbuffer;
   if (x < 0 || y < 0 || x >= gbuffer.width || y >= gbuffer.height) return std::nullopt;
   const gl::StateGuard guard(r.api);
   const gl::Framebuffer framebuffer(r.api);
@@ -72,10 +79,9 @@ std::optional<Picked> Renderer::pick(int x, int y) const {
   framebuffer.attach(GL_COLOR_ATTACHMENT0, gbuffer.visibility);
   r.api.ReadPixels(x, y, 1, 1, GL_RED_INTEGER, GL_UNSIGNED_INT, &visible);
   if (visible == 0) return std::nullopt;
-  glm::vec4 position(0);
-  framebuffer.attach(GL_COLOR_ATTACHMENT0, gbuffer.position);
-  r.api.ReadPixels(x, y, 1, 1, GL_RGBA, GL_FLOAT, &position);
-  return Picked{visible - 1, glm::vec3(position)};
+  gl::Profiler untimed(r.api);
+  const Surfaces there = r.surfaces().read(r.viewOf(frame, untimed), x, y, 1, 1);
+  return Picked{visible - 1, glm::vec3(there.positions.front())};
 }
 
 StructureCells Renderer::readStructure() const {

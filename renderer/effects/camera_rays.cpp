@@ -39,7 +39,7 @@ void CameraRays::spawn(const FrameView& view, int batch, int batches, RayQueue& 
   view.constants.bindUniform(UBO_FRAME);
   out.rays.bindStorage(SSBO_RAYS);
   out.count.bindStorage(SSBO_RAY_COUNT);
-  gbuffer.position.bind(UNIT_POSITION);
+  gbuffer.visibility.bind(UNIT_VISIBILITY);
   api_->DispatchCompute(static_cast<GLuint>((gbuffer.width + kBandTile - 1) / kBandTile),
                         static_cast<GLuint>((band.rows + kBandTile - 1) / kBandTile), 1);
   count_.run(out);
@@ -48,7 +48,6 @@ void CameraRays::spawn(const FrameView& view, int batch, int batches, RayQueue& 
 void CameraRays::firstHits(const FrameView& view, const RayQueue& rays, const Hits& hits) const {
   const auto section = view.profiler.section("select");
   hits_.use();
-  view.scene.bindTriangles();
   view.bindRays(rays);
   hits.hits.bindStorage(SSBO_HITS);
   api_->BindBuffer(GL_DISPATCH_INDIRECT_BUFFER, rays.count.name());

@@ -42,13 +42,6 @@ enum Layer : std::size_t {
   layerCount
 };
 
-std::vector<glm::vec4> readTexture(const gl::Texture& texture) {
-  std::vector<glm::vec4> texels(static_cast<std::size_t>(texture.shape().width) *
-                                static_cast<std::size_t>(texture.shape().height));
-  texture.read(GL_RGBA, GL_FLOAT, texels.size() * sizeof(glm::vec4), texels.data());
-  return texels;
-}
-
 // Normals of hits that have no stored one, from the vertices.
 class VertexNormals {
  public:
@@ -176,7 +169,7 @@ Image withAnswers(const Image& image, std::span<const RayBatch> batches,
 
 Image assembleLayers(const FrameView& view, const gl::Texture& linear, std::span<const RayBatch> batches,
                      std::span<const shared::RayWork> work, std::span<const std::vector<std::uint32_t>> answers,
-                     RayReader& reader) {
+                     const SurfaceReader& surfaces, RayReader& reader) {
   const GBuffer& gbuffer = view.gbuffer;
   Image image{gbuffer.width,
               gbuffer.height,
@@ -184,8 +177,8 @@ Image assembleLayers(const FrameView& view, const gl::Texture& linear, std::span
                "hit.T", "hit.id", "hit.nx", "hit.ny", "hit.nz", "reflection.R", "reflection.G", "reflection.B"},
               {}};
   image.data.assign(image.pixelCount() * layerCount, 0.0f);
-  const std::vector<glm::vec4> color = readTexture(linear), position = readTexture(gbuffer.position),
-                               normal = readTexture(gbuffer.normal), reflection = readTexture(gbuffer.reflection);
+  const std::vector<glm::vec4> color = readTexels(linear), reflection = readTexels(gbuffer.reflection);
+  const auto [position, normal] = surfaces.read(view);
   const auto width = static_cast<std::size_t>(image.width), height = static_cast<std::size_t>(image.height);
   for (std::size_t y = 0; y < height; ++y)
     for (std::size_t x = 0; x < width; ++x) {

@@ -7,6 +7,7 @@
 #include <halfsilver/image.h>
 #include <halfsilver/ray_reader.h>
 #include "frame/ray_tally.h"
+#include "frame/surface_reader.h"
 
 namespace halfsilver {
 
@@ -16,7 +17,7 @@ namespace halfsilver {
 // empty; `answers` (ANSWER_...) are those of the rays of each batch, or empty. Waits for the GPU.
 Image assembleLayers(const FrameView& view, const gl::Texture& linear, std::span<const RayBatch> batches,
                      std::span<const shared::RayWork> work, std::span<const std::vector<std::uint32_t>> answers,
-                     RayReader& reader);
+                     const SurfaceReader& surfaces, RayReader& reader);
 
 // The layers with what is known of each kind of ray that there is: rays.*, hits.* and distance.*, the mean in meters.
 Image withTally(Image layers, const RayTally& tally, double diagonal);

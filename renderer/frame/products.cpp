@@ -35,18 +35,17 @@ void ShadowMaps::bind() const {
 
 std::size_t GBuffer::bytes() const {
   std::size_t sum = 0;
-  for (const gl::Texture* texture : {&depth, &visibility, &position, &normal, &material, &lobes, &coat, &shaded,
-                                     &reflection, &seen, &occlusion, &motion, &shadowMarks, &tested})
+  for (const gl::Texture* texture : {&depth, &visibility, &normal, &material, &lobes, &coat, &shaded, &reflection,
+                                     &seen, &occlusion, &motion, &shadowMarks, &tested})
     sum += texture->bytes();
   return sum;
 }
 
 void GBuffer::bindSurface() const {
-  position.bind(UNIT_POSITION);
   normal.bind(UNIT_NORMAL);
   material.bind(UNIT_MATERIAL);
   visibility.bind(UNIT_VISIBILITY);
-  (coat ? coat : normal).bind(UNIT_COAT);
+  (coat ? coat : material).bind(UNIT_COAT);
   if (lobes) lobes.bind(UNIT_LOBES);
   shaded.bindImage(IMAGE_SHADED, GL_READ_WRITE);
   reflection.bindImage(IMAGE_REFLECTION, GL_READ_WRITE);

@@ -20,8 +20,7 @@ GBuffer allocate(const gl::Api& api, int width, int height) {
   buffer.height = height;
   buffer.depth = texture(GL_DEPTH_COMPONENT32F, "depth");
   buffer.visibility = texture(GL_R32UI, "visibility");
-  buffer.position = texture(GL_RGBA32F, "position");
-  buffer.normal = texture(GL_RGBA32F, "normal");
+  buffer.normal = texture(GL_RG32UI, "normal");
   buffer.material = texture(GL_RGBA16F, "material");
   buffer.shaded = texture(GL_RGBA32F, "shaded");
   buffer.reflection = texture(GL_RGBA32F, "reflection");
@@ -135,7 +134,6 @@ void GBufferPass::resolve(const FrameView& view, GBuffer& out, const PrimarySett
   view.constants.bindUniform(UBO_FRAME);
   view.scene.bindSurfaces();
   out.visibility.bind(UNIT_VISIBILITY);
-  out.position.bindImage(IMAGE_POSITION, GL_WRITE_ONLY);
   out.normal.bindImage(IMAGE_NORMAL, GL_WRITE_ONLY);
   out.material.bindImage(IMAGE_MATERIAL, GL_WRITE_ONLY);
   out.shaded.bindImage(IMAGE_SHADED, GL_WRITE_ONLY);

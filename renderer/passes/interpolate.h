@@ -6,7 +6,7 @@
 
 namespace halfsilver {
 
-// Colors of the pixels that PrimarySettings leave without a surface (GBuffer::position with w = -1), from those around
+// Colors of the pixels that PrimarySettings leave without a surface (INTERPOLATED), from those around
 // them: Robert et al. 2007, section 3.1. After everything else has its light; writes GBuffer::shaded. Section
 // "composite".
 class InterpolatePass {

@@ -15,7 +15,7 @@ void TargetDraw::run(const FrameView& view, const gl::Program& program, const Ta
   if (depth) program.set("reversedDepth", static_cast<int>(reversed));
   program.use();
   view.constants.bindUniform(UBO_FRAME);
-  if (depth) view.gbuffer.position.bind(UNIT_POSITION);
+  if (depth) view.gbuffer.depth.bind(UNIT_DEPTH);
   api_->BindFramebuffer(GL_DRAW_FRAMEBUFFER, target.framebuffer);
   vertexArray_.bind();
   // What is as far as the cleared depth, the sky for one, is drawn.

@@ -46,7 +46,9 @@ void DepthPyramid::build(const FrameView& view, const gl::Texture* backs) {
   program_.use();
   program_.set("backsCount", backs ? 1 : 0);
   view.constants.bindUniform(UBO_FRAME);
-  view.gbuffer.position.bind(UNIT_POSITION);
+  view.scene.bindTriangles();
+  view.gbuffer.visibility.bind(UNIT_VISIBILITY);
+  view.gbuffer.material.bind(UNIT_MATERIAL);
   (backs ? *backs : view.gbuffer.depth).bind(UNIT_BACK_DEPTHS);
   frame.depths.bind(UNIT_SCREEN_DEPTHS);
   for (int level = 0; level < SCREEN_LEVELS; ++level) {

@@ -48,14 +48,14 @@ vec3 untraced(ivec2 pixel, Mirror m, float roughness, vec3 sky, float visibility
   return m.skyShare * (sky * visibility);
 }
 
-// `position` and `normal` as the G-buffer has them.
-Blend blendOf(ivec2 pixel, vec4 position, vec4 facing) {
+// `facing` as the G-buffer has it.
+Blend blendOf(ivec2 pixel, vec4 facing) {
   vec3 normal = facing.xyz;
   vec4 shaded = texelFetch(gShaded, pixel, 0);
   vec4 material = texelFetch(gMaterial, pixel, 0);
   bool unlit = material.a < 0.0;
-  if (position.w <= 0.0 || unlit && !goesOn(facing)) return Blend(shaded.rgb, vec3(0.0), vec3(0.0));
-  vec3 direction = normalize(fromCamera(position.xyz));
+  if (!isSurface(facing) || unlit && !goesOn(facing)) return Blend(shaded.rgb, vec3(0.0), vec3(0.0));
+  vec3 direction = normalize(pixelRay(pixel));
   Mirror mirror = mirrorOf(pixel, material, normal, -direction);
   vec3 share = mirror.reflectance * roughnessFade(material.a);
   vec3 clear = skyRadiance(reflect(direction, normal), material.a), sky = clear * shaded.a;

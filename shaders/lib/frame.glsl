@@ -16,15 +16,17 @@ vec2 sampleShift() { return 2.0 * frame.jitter / vec2(frame.width, frame.height)
 // Through the pixel's sample, not normalized: its component along frame.forward is 1.
 vec3 pixelRay(ivec2 pixel) {
   if (frame.parallel != 0u) return frame.forward;
-  vec2 screen = screenPosition(pixel) + sampleShift();
-  return frame.forward + screen.x * frame.right + screen.y * frame.up;
+  precise vec2 screen = screenPosition(pixel) + sampleShift();
+  precise vec3 ray = frame.forward + screen.x * frame.right + screen.y * frame.up;
+  return ray;
 }
 
 // Where that ray starts.
 vec3 pixelOrigin(ivec2 pixel) {
   if (frame.parallel == 0u) return frame.eye;
-  vec2 screen = screenPosition(pixel) + sampleShift();
-  return frame.eye + screen.x * frame.right + screen.y * frame.up;
+  precise vec2 screen = screenPosition(pixel) + sampleShift();
+  precise vec3 origin = frame.eye + screen.x * frame.right + screen.y * frame.up;
+  return origin;
 }
 
 // From where the camera's ray starts to a point.

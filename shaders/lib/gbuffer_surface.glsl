@@ -2,24 +2,25 @@
 #include "lib/coat.glsl"
 #include "lib/gbuffer.glsl"
 #include "lib/surface.glsl"
-#include "lib/triangles.glsl"
+#include "lib/triangle_point.glsl"
 
 layout(rgba32f, binding = IMAGE_SHADED) uniform image2D shaded;
 layout(rgba32f, binding = IMAGE_REFLECTION) uniform image2D reflection;
 
-Surface surfaceOfPixel(ivec2 pixel, vec3 position) {
+// Not of a pixel that shows none.
+Surface surfaceOfPixel(ivec2 pixel) {
   vec4 baseColor = imageLoad(shaded, pixel);
   vec4 material = texelFetch(gMaterial, pixel, 0);
   vec4 emissive = imageLoad(reflection, pixel);
-  vec4 normal = texelFetch(gNormal, pixel, 0);
+  vec4 normal = facingAt(pixel);
   uint triangle = texelFetch(gVisibility, pixel, 0).r - 1u;
   vec3 a, b, c;
   trianglePositions(triangle, a, b, c);
   vec3 geometric = normalize(cross(b - a, c - a));
 
   Surface s;
-  s.position = position;
-  s.geometricNormal = dot(geometric, fromCamera(position)) > 0.0 ? -geometric : geometric;
+  s.position = pointOnTriangle(a, b, c, pixelOrigin(pixel), pixelRay(pixel)).position;
+  s.geometricNormal = dot(geometric, fromCamera(s.position)) > 0.0 ? -geometric : geometric;
   s.normal = normal.xyz;
   s.baseColor = baseColor.rgb;
   s.emissive = emissive.rgb;

@@ -1,7 +1,7 @@
 // The rays of a queue, however they are stored: whole, or as the pixel that they start from. All else of a first ray
 // stands in the G-buffer.
 #include "lib/frame.glsl"
-#include "lib/gbuffer.glsl"
+#include "lib/surface_point.glsl"
 #include "shared/bindings.h"
 #include "shared/rays.h"
 
@@ -35,8 +35,8 @@ uint countsOf(RayPath path) { return path.kindAndCounts & ~255u; }
 // `precise`: every program must see the same ray.
 Ray mirrorRay(uint number) {
   ivec2 pixel = ivec2(number % frame.width, number / frame.width);
-  vec3 position = texelFetch(gPosition, pixel, 0).xyz;
-  vec4 normal = texelFetch(gNormal, pixel, 0);
+  vec3 position = surfacePoint(pixel).xyz;
+  vec4 normal = facingAt(pixel);
   uint triangle = texelFetch(gVisibility, pixel, 0).x - 1u;
   precise vec3 fromEye = normalize(fromCamera(position));
   if (goesOn(normal)) return rayBehind(position, fromEye, triangle);
@@ -47,15 +47,15 @@ Ray mirrorRay(uint number) {
 // What an effect would have stored of it.
 RayPath pixelPath(uint number, uint slot) {
   ivec2 pixel = ivec2(number % frame.width, number / frame.width);
-  bool behind = goesOn(texelFetch(gNormal, pixel, 0));
-  return RayPath(vec3(1.0), length(fromCamera(texelFetch(gPosition, pixel, 0).xyz)), number,
+  bool behind = goesOn(facingAt(pixel));
+  return RayPath(vec3(1.0), length(fromCamera(surfacePoint(pixel).xyz)), number,
                  behind ? RAY_THROUGH : RAY_REFLECTION | COUNTED_REFLECTION, slot, 0u);
 }
 
 // From the eye to the pixel's surface.
 Ray cameraRay(uint number) {
   ivec2 pixel = ivec2(number % frame.width, number / frame.width);
-  vec3 position = texelFetch(gPosition, pixel, 0).xyz;
+  vec3 position = surfacePoint(pixel).xyz;
   precise vec3 direction = normalize(fromCamera(position));
   vec3 origin = frame.parallel == 0u ? frame.eye : position - fromCamera(position);
   return Ray(origin, FAR_AWAY, direction, NO_TRIANGLE);

@@ -12,11 +12,11 @@ layout(location = 0) out vec4 color;
 ivec2 targetPixel() {
   ivec2 pixel = ivec2(gl_FragCoord.xy - origin);
 #ifdef TARGET_DEPTH
-  float along = texelFetch(gPosition, pixel, 0).w;
+  float along = drawnDepth(pixel);
   float near = frame.nearPlane, far = frame.farPlane;
   float depth = far > 0.0 ? near * (far - along) / (along * (far - near)) : near / along;
   if (frame.parallel != 0u) depth = (far - along) / (far - near);
-  depth = along > 0.0 ? clamp(depth, 0.0, 1.0) : 0.0;  // the sky is far away
+  depth = clamp(depth, 0.0, 1.0);  // the sky is far away
   gl_FragDepth = reversedDepth ? depth : 1.0 - depth;
 #endif
   return pixel;

@@ -1,8 +1,8 @@
 // The scene's triangles, pulled from storage buffers: where they are, not what they look like.
 #include "shared/bindings.h"
 
-layout(std430, binding = SSBO_POSITIONS) readonly buffer PositionBlock { float positions[]; };
-layout(std430, binding = SSBO_TRIANGLES) readonly buffer TriangleBlock { uvec4 triangles[]; };
+layout(std430, binding = SSBO_POSITIONS) restrict readonly buffer PositionBlock { float positions[]; };
+layout(std430, binding = SSBO_TRIANGLES) restrict readonly buffer TriangleBlock { uvec4 triangles[]; };
 
 vec3 vertexPosition(uint vertex) {
   return vec3(positions[3u * vertex], positions[3u * vertex + 1u], positions[3u * vertex + 2u]);

@@ -5,6 +5,7 @@
 #include "shared/passes/gbuffer.h"
 #include "lib/clear.glsl"
 #include "lib/coat.glsl"
+#include "lib/packed_normal.glsl"
 #ifdef PRIMARY_RULES
 #include "passes/primary_hit.glsl"
 #endif
@@ -16,8 +17,7 @@ layout(binding = UNIT_VISIBILITY) uniform usampler2D visibility;
 #endif
 layout(rgba32f, binding = IMAGE_SHADED) uniform writeonly image2D shaded;
 layout(rgba32f, binding = IMAGE_REFLECTION) uniform writeonly image2D reflection;
-layout(rgba32f, binding = IMAGE_POSITION) uniform writeonly image2D positionImage;
-layout(rgba32f, binding = IMAGE_NORMAL) uniform writeonly image2D normalImage;
+layout(rg32ui, binding = IMAGE_NORMAL) uniform writeonly uimage2D normalImage;
 layout(rgba16f, binding = IMAGE_MATERIAL) uniform writeonly image2D materialImage;
 #ifdef LOBES
 layout(rgba32ui, binding = IMAGE_LOBES) uniform writeonly uimage2D lobesImage;
@@ -39,14 +39,14 @@ void main() {
   ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
   if (pixel == ivec2(0)) signature = number;
   if (any(greaterThanEqual(pixel, ivec2(frame.width, frame.height)))) return;
-  vec4 position = vec4(0.0), normal = vec4(0.0), baseColor = vec4(0.0), material = vec4(0.0), emissive = vec4(0.0);
+  vec4 normal = vec4(0.0), baseColor = vec4(0.0), material = vec4(0.0), emissive = vec4(0.0);
 #ifdef COATS
   vec4 coat = vec4(0.0);
 #endif
 #ifdef PRIMARY_RULES
   PrimaryHit hit = primaryHit(pixel);
   uint visible = hit.visible;
-  if (!hit.known) position.w = -1.0;  // its color is interpolated
+  if (!hit.known) material.a = INTERPOLATED;
 #else
   uint visible = texelFetch(visibility, pixel, 0).x;
 #endif
@@ -58,7 +58,6 @@ void main() {
 #ifdef TRANSMISSION
     takeClear(s, direction, s.thin || meetsFront(visible - 1u, direction) ? 1.0 / s.ior : s.ior);
 #endif
-    position = vec4(point.position, dot(point.relative, frame.forward));
     bool goesOn = frame.blends != 0u && frame.allLight == 0u && s.alpha < 1.0;
     normal = vec4(s.normal, goesOn ? -s.alpha : s.reflectivity);
     baseColor = vec4(s.baseColor, s.occlusion);
@@ -71,7 +70,7 @@ void main() {
 #endif
 #ifdef COATS
     if (s.coat > 0.0 && !s.unlit) {
-      bool ofCoat = followsCoat(s, -normalize(fromCamera(position.xyz)));
+      bool ofCoat = followsCoat(s, -normalize(fromCamera(point.position)));
       coat = vec4(octahedral(ofCoat ? s.normal : s.coatNormal), ofCoat ? -s.coat : s.coat,
                   ofCoat ? s.roughness : s.coatRoughness);
       normal = vec4(ofCoat ? s.coatNormal : s.normal, goesOn ? normal.w : followedReflectivity(s, ofCoat));
@@ -82,8 +81,7 @@ void main() {
 #ifdef COATS
   imageStore(coatImage, pixel, coat);
 #endif
-  imageStore(positionImage, pixel, position);
-  imageStore(normalImage, pixel, normal);
+  imageStore(normalImage, pixel, uvec4(visible != 0u ? packNormal(normal) : uvec2(0u), 0u, 0u));
   imageStore(materialImage, pixel, material);
   imageStore(shaded, pixel, baseColor);
   imageStore(reflection, pixel, emissive);

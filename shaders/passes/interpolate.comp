@@ -11,13 +11,13 @@ uniform int reach;  // pixels
 void main() {
   ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
   if (pixel.x >= int(frame.width) || pixel.y >= int(frame.height)) return;
-  if (texelFetch(gPosition, pixel, 0).w >= 0.0) return;
+  if (!isInterpolated(pixel)) return;
   vec4 sum = vec4(0.0);
   for (int y = -reach; y <= reach; ++y)
     for (int x = -reach; x <= reach; ++x) {
       ivec2 other = pixel + ivec2(x, y);
       if (any(lessThan(other, ivec2(0))) || any(greaterThanEqual(other, ivec2(frame.width, frame.height)))) continue;
-      if (texelFetch(gPosition, other, 0).w < 0.0) continue;
+      if (isInterpolated(other)) continue;
       PixelLight light = pixelLight(other);
       sum += exp2(-float(x * x + y * y)) * vec4(light.surface + light.reflected, 1.0);
     }

@@ -48,7 +48,7 @@ void main() {
   Hit hit = hits[index];
   if (hit.triangle == NO_TRIANGLE && hit.t != HIT_MISS) return;  // given up: it shows the sky's stand-in
 
-  vec4 facing = texelFetch(gNormal, pixel, 0);
+  vec4 facing = facingAt(pixel);
   vec3 normal = facing.xyz;
   if (goesOn(facing)) {
     imageStore(motionImage, pixel, motionBehind(ray, hit));

@@ -43,20 +43,19 @@ vec3 undoubtedRadiance(ivec2 pixel, Surface s, vec3 toEye) {
 void main() {
   ivec2 pixel = ivec2(gl_GlobalInvocationID.xy) + ivec2(0, firstRow);
   if (pixel.x >= int(frame.width) || pixel.y >= firstRow + rows) return;
-  vec4 position = texelFetch(gPosition, pixel, 0);
 #ifdef GLOSSY
   imageStore(seen, pixel, vec4(0.0, 0.0, 0.0, -1.0));  // nobody has looked yet
 #endif
-  if (position.w <= 0.0) {
+  if (texelFetch(gVisibility, pixel, 0).x == 0u) {
     imageStore(shaded, pixel, vec4(skyRadiance(normalize(pixelRay(pixel)), 0.0), 1.0));
     imageStore(reflection, pixel, vec4(0.0));
     return;
   }
-  Surface s = surfaceOfPixel(pixel, position.xyz);
-  vec3 toEye = normalize(-fromCamera(position.xyz));
+  Surface s = surfaceOfPixel(pixel);
+  vec3 toEye = normalize(-fromCamera(s.position));
 #ifdef GLOSSY
   imageStore(occlusion, pixel, vec4(s.occlusion));
-  asksScreen = !goesOn(texelFetch(gNormal, pixel, 0));
+  asksScreen = !goesOn(facingAt(pixel));
 #ifdef COATS
   asksScreen = asksScreen && texelFetch(gCoat, pixel, 0).z >= 0.0;  // and not the mirror above it
 #endif

@@ -21,9 +21,8 @@ void main() {
   uint layer = gl_GlobalInvocationID.z, first = layer * LIGHTS_PER_MARK;
   uint count = min(frame.directLights - first, LIGHTS_PER_MARK);
   uvec2 marks = uvec2(0u);
-  vec4 position = texelFetch(gPosition, pixel, 0);
-  if (position.w > 0.0) {
-    Surface s = surfaceOfPixel(pixel, position.xyz);
+  if (texelFetch(gVisibility, pixel, 0).x != 0u) {
+    Surface s = surfaceOfPixel(pixel);
     uint pending = 0u;
     for (uint i = 0u; i < count; ++i) {
       if (!mayLight(first + i, s))

@@ -38,10 +38,9 @@ void loadTile() {
     ivec2 pixel = ivec2(gl_WorkGroupID.xy) * TEMPORAL_GROUP - 1 + ivec2(i % TILE, i / TILE);
     pixel = clamp(pixel, ivec2(0), size - 1);
     PixelLight light = pixelLight(pixel);
-    float depth = texelFetch(gPosition, pixel, 0).w;
     surfaces[i] = light.surface;
     reflections[i] = light.reflected;
-    depths[i] = vec2(depth > 0.0 ? depth : VERY_FAR, texelFetch(reflectionMotion, pixel, 0).z);
+    depths[i] = vec2(min(drawnDepth(pixel), VERY_FAR), texelFetch(reflectionMotion, pixel, 0).z);
   }
 }
 
@@ -142,10 +141,9 @@ Joined followed(ivec2 pixel, ivec2 center) {
   vec2 surfaceAt = here - texelFetch(gMotion, leading, 0).xy;
   DepthRange surfaceBefore, imageBefore;
   depthsBefore(surfaceAt, surfaceBefore, imageBefore);
-  vec4 position = texelFetch(gPosition, leading, 0);
-  if (position.w > 0.0) {
+  if (least < VERY_FAR) {
     // How much nearer the camera has come.
-    float ratio = dot(position.xyz - previousEye, previousForward) / position.w;
+    float ratio = dot(drawnPoint(leading) - previousEye, previousForward) / least;
     surfaceRange.low *= ratio;
     if (surfaceRange.high < VERY_FAR) surfaceRange.high *= ratio;
   }

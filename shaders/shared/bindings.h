@@ -27,7 +27,7 @@
 #define UNIT_LIGHTS 16      // samplerBuffer: GpuLight[lights] in texels
 #define UNIT_ALPHA 17       // usamplerBuffer: alpha of the textures that cut holes, a byte per texel
 // The G-buffer.
-#define UNIT_POSITION 10
+#define UNIT_DEPTH 10
 #define UNIT_NORMAL 11
 #define UNIT_MATERIAL 13
 #define UNIT_VISIBILITY 15

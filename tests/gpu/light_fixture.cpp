@@ -1,5 +1,7 @@
 #include "gpu/light_fixture.h"
 
+#include "frame/surface_reader.h"
+
 namespace halfsilver::testing {
 
 std::uint32_t addMaterial(Scene& scene, const Material& material) {
@@ -95,7 +97,7 @@ glm::vec4 LightTest::shadeAt(const Scene& scene, const glm::vec3& eye, const glm
   camera.nearPlane = 0.01f * glm::distance(eye, target);
   camera.verticalFov = 0.01f;
   draw(scene, camera, 3, 3);
-  const glm::vec4 position = middle(pixels(gbuffer.position));
+  const glm::vec4 position = middle(SurfaceReader(api).read(view()).positions);
   EXPECT_LT(glm::distance(glm::vec3(position), target), 1e-3f * glm::distance(eye, target)) << "the point is hidden";
   return middle(pixels(gbuffer.shaded));
 }

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "frame/surface_reader.h"
 #include "gpu/light_fixture.h"
 
 namespace halfsilver::testing {
@@ -93,7 +94,7 @@ TEST_F(CompositeTest, SurfacesThatFaceElsewhereDoNotStandIn) {
   camera.target = {0, 0.5f, 0.5f};
   camera.verticalFov = 1.0f;
   draw(scene, camera, 16, 16);
-  const std::vector<vec4> normals = pixels(gbuffer.normal);
+  const std::vector<vec4> normals = SurfaceReader(api).read(view()).normals;
   std::vector<vec4> texels;
   std::size_t lying = 0;
   for (std::size_t i = 0; i < 256; ++i) {

@@ -4,6 +4,7 @@
 
 #include "frame/frame_constants.h"
 #include "frame/gpu_scene.h"
+#include "frame/surface_reader.h"
 #include "gpu/context_fixture.h"
 #include "gpu/shader_function.h"
 #include "passes/gbuffer.h"
@@ -14,18 +15,16 @@ namespace {
 
 using testing::addQuad;
 using testing::plainTexture;
-using testing::readFloats;
 using testing::readNumbers;
 
 struct Picture {
   int width = 0, height = 0;
   shared::FrameConstants frame;
   std::vector<std::uint32_t> visibility;
-  std::vector<float> position, normal, baseColor, material, emissive;
+  std::vector<glm::vec4> position, normal, baseColor, material, emissive;
 
-  glm::vec4 at(const std::vector<float>& layer, int x, int y) const {
-    const float* p = &layer[4 * static_cast<std::size_t>(y * width + x)];
-    return {p[0], p[1], p[2], p[3]};
+  const glm::vec4& at(const std::vector<glm::vec4>& layer, int x, int y) const {
+    return layer[static_cast<std::size_t>(y * width + x)];
   }
   std::uint32_t id(int x, int y) const { return visibility[static_cast<std::size_t>(y * width + x)]; }
   glm::dvec3 ray(int x, int y) const {
@@ -50,14 +49,16 @@ class GBufferTest : public testing::ContextTest {
     gl::Profiler profiler(api);
     const ShadowMaps unshadowed;
     GBuffer buffer;
-    pass.run({gpu, unshadowed, constants, picture.frame, profiler, buffer}, buffer);
-    EXPECT_EQ(buffer.bytes(), static_cast<std::size_t>(width * height) * (4 + 4 + 4 * 16 + 8));
+    const FrameView view{gpu, unshadowed, constants, picture.frame, profiler, buffer};
+    pass.run(view, buffer);
+    EXPECT_EQ(buffer.bytes(), static_cast<std::size_t>(width * height) * (4 + 4 + 8 + 8 + 16 + 16));
     picture.visibility = readNumbers(buffer.visibility);
-    picture.position = readFloats(buffer.position, GL_RGBA, 4);
-    picture.normal = readFloats(buffer.normal, GL_RGBA, 4);
-    picture.baseColor = readFloats(buffer.shaded, GL_RGBA, 4);
-    picture.material = readFloats(buffer.material, GL_RGBA, 4);
-    picture.emissive = readFloats(buffer.reflection, GL_RGBA, 4);
+    Surfaces surfaces = SurfaceReader(api).read(view);
+    picture.position = std::move(surfaces.positions);
+    picture.normal = std::move(surfaces.normals);
+    picture.baseColor = readTexels(buffer.shaded);
+    picture.material = readTexels(buffer.material);
+    picture.emissive = readTexels(buffer.reflection);
     const std::vector<gl::SectionTime> times = profiler.collect();
     EXPECT_EQ(times.size(), 1u);
     EXPECT_EQ(times[0].name, "gbuffer");
@@ -324,7 +325,7 @@ TEST_F(GBufferTest, MaterialValues) {
   Camera camera = cameraAt({0, 0, 0}, {0, 0, -1});
   camera.verticalFov = 1.2f;
   const Picture picture = draw(scene, camera, 40, 20);
-  const auto at = [&](const std::vector<float>& layer, int m) { return picture.at(layer, 8 + 8 * m, 10); };
+  const auto at = [&](const std::vector<glm::vec4>& layer, int m) { return picture.at(layer, 8 + 8 * m, 10); };
   EXPECT_NEAR(at(picture.baseColor, 0).r, 0.5029f, 2e-3f);
   EXPECT_NEAR(at(picture.baseColor, 0).g, 1.0f, 2e-3f);
   EXPECT_NEAR(at(picture.baseColor, 0).a, 0.751f, 2e-3f);

@@ -8,6 +8,7 @@
 #include "effects/reflection/reflection_effect.h"
 #include "frame/frame_constants.h"
 #include "frame/gpu_scene.h"
+#include "frame/surface_reader.h"
 #include "gpu/context_fixture.h"
 #include "gpu/shader_function.h"
 #include "passes/gbuffer.h"
@@ -22,7 +23,7 @@ struct Selection {
   std::vector<shared::Ray> rays;
   std::vector<std::uint32_t> pixelsOfRays;  // of the same rays
   std::vector<std::uint32_t> pixels;        // sorted
-  std::vector<float> position;
+  std::vector<glm::vec4> position;
   std::vector<GLuint> contributions;
   shared::FrameConstants frame{};
 };
@@ -85,7 +86,7 @@ class ReflectionSpawn : public testing::ContextTest {
     result.contributions = frame.contributions.counts.read<GLuint>(CONTRIBUTION_CLASSES);
     EXPECT_GE(frame.slots.bytes(), result.pixels.size() * sizeof(shared::Radiance));
     std::sort(result.pixels.begin(), result.pixels.end());
-    result.position = testing::readFloats(buffer.position, GL_RGBA, 4);
+    result.position = SurfaceReader(api).read(view).positions;
     EXPECT_EQ(std::set<std::uint32_t>(result.pixels.begin(), result.pixels.end()).size(), result.pixels.size());
     return result;
   }
@@ -116,7 +117,7 @@ TEST_F(ReflectionSpawn, ReflectivePixelsOnly) {
   std::size_t expected = 0;
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
-      const float* position = &selection.position[4 * static_cast<std::size_t>(y * width + x)];
+      const glm::vec4& position = selection.position[static_cast<std::size_t>(y * width + x)];
       expected += position[3] > 0 && position[0] < 0;
     }
   ASSERT_GT(expected, 1500u);
@@ -128,8 +129,7 @@ TEST_F(ReflectionSpawn, ReflectivePixelsOnly) {
   for (std::size_t i = 0; i < selection.rays.size(); ++i) {
     const shared::Ray& ray = selection.rays[i];
     const std::uint32_t pixel = selection.pixelsOfRays[i];
-    const glm::vec4 position(selection.position[4 * pixel], selection.position[4 * pixel + 1],
-                             selection.position[4 * pixel + 2], selection.position[4 * pixel + 3]);
+    const glm::vec4& position = selection.position[pixel];
     EXPECT_EQ(ray.origin, glm::vec3(position));
     EXPECT_EQ(ray.maxDistance, FAR_AWAY);
     // The wall's normal is +z: x and y go on, z turns round.
@@ -144,7 +144,7 @@ TEST_F(ReflectionSpawn, Modes) {
   settings.select.mode = SelectMode::all;
   const Selection all = select(twoWalls(), settings, 64, 64);
   std::size_t surfaces = 0;
-  for (std::size_t i = 3; i < all.position.size(); i += 4) surfaces += all.position[i] > 0;
+  for (const glm::vec4& position : all.position) surfaces += position.w > 0;
   EXPECT_EQ(all.count.count, surfaces);
   EXPECT_GT(surfaces, 2000u);
   EXPECT_LT(surfaces, 4096u);

@@ -7,6 +7,7 @@
 
 #include <halfsilver/builtin.h>
 #include <halfsilver/exact.h>
+#include "frame/surface_reader.h"
 #include "gpu/light_fixture.h"
 #include "gpu/ray_queues.h"
 #include "gpu/shader_function.h"
@@ -69,8 +70,9 @@ class ShadowErrorTest : public LightTest {
     sky_ = model_.scene.sky;
     sky_.ground = vec3(0);  // no light from below
     shade({}, blackSky());
-    positions_ = pixels(gbuffer.position);
-    normals_ = pixels(gbuffer.normal);
+    Surfaces surfaces = SurfaceReader(api).read(view());
+    positions_ = std::move(surfaces.positions);
+    normals_ = std::move(surfaces.normals);
     triangles_ = readNumbers(gbuffer.visibility);
     tracer_->update(view(), SceneChange::everything());
   }

@@ -99,7 +99,6 @@ void ReflectionEffect::spawnPixels(const FrameView& view, const Band& band, int 
   view.constants.bindUniform(UBO_FRAME);
   out.rays.bindStorage(SSBO_RAYS);
   out.count.bindStorage(SSBO_RAY_COUNT);
-  gbuffer.position.bind(UNIT_POSITION);
   gbuffer.normal.bind(UNIT_NORMAL);
   if (byContribution) {
     frame.contributions.counts.bindStorage(SSBO_CONTRIBUTIONS);
@@ -110,7 +109,7 @@ void ReflectionEffect::spawnPixels(const FrameView& view, const Band& band, int 
   count_.run(out);
 }
 
-// What blendOf() reads beside positions and normals.
+// What blendOf() reads beside normals.
 void ReflectionEffect::bindShaded(const FrameView& view) {
   view.gbuffer.shaded.bind(UNIT_SHADED);
   view.gbuffer.material.bind(UNIT_MATERIAL);
@@ -186,7 +185,6 @@ void ReflectionEffect::spawnBehind(const FrameView& view, int batch, int batches
   program.set("rows", band.rows);
   view.constants.bindUniform(UBO_FRAME);
   view.scene.bindSurfaces();
-  view.gbuffer.position.bind(UNIT_POSITION);
   view.gbuffer.visibility.bind(UNIT_VISIBILITY);
   out.rays.bindStorage(SSBO_NEXT_RAYS);
   out.paths.bindStorage(SSBO_NEXT_PATHS);
@@ -243,7 +241,7 @@ void ReflectionEffect::smooth(const FrameView& view, const gl::Program& program,
   program.use();
   view.constants.bindUniform(UBO_FRAME);
   light.bind(UNIT_REFLECTION);
-  view.gbuffer.position.bind(UNIT_POSITION);
+  view.gbuffer.depth.bind(UNIT_DEPTH);
   view.gbuffer.normal.bind(UNIT_NORMAL);
   view.gbuffer.material.bind(UNIT_MATERIAL);
   frame.filtered.bindImage(IMAGE_REFLECTION, GL_WRITE_ONLY);
@@ -298,7 +296,7 @@ void ReflectionEffect::sendToScreen(const FrameView& view, const Band& band, Ray
   out.rays.bindStorage(SSBO_NEXT_RAYS);
   out.paths.bindStorage(SSBO_NEXT_PATHS);
   out.count.bindStorage(SSBO_NEXT_COUNT);
-  view.gbuffer.position.bind(UNIT_POSITION);
+  view.scene.bindTriangles();
   view.gbuffer.normal.bind(UNIT_NORMAL);
   view.gbuffer.visibility.bind(UNIT_VISIBILITY);
   bindShaded(view);

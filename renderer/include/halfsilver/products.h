@@ -91,17 +91,17 @@ struct ShadowMaps {
   void bind() const;  // UNIT_LIGHTS, UNIT_SHADOW_MAPS
 };
 
-// One surface per pixel. Position is exact: the pixel's ray through the triangle, not the rasterizer's interpolation.
+// One surface per pixel, 56 bytes. Its position is exact, and not stored: the pixel's ray through the triangle, not the
+// rasterizer's interpolation (surfacePoint() in shaders/lib/gbuffer.glsl).
 struct GBuffer {
   int width = 0, height = 0;
   gl::Texture depth;       // D32F, of the rasterization; reversed: 1 at the near plane, 0 far away
   gl::Texture visibility;  // R32UI: triangle + 1, or 0
-  gl::Texture position;    // RGBA32F: xyz, w meters along the view axis; w = 0 if there is no surface
-  gl::Texture normal;      // RGBA32F: shading normal, w reflectivity (faded by roughness); -alpha where a ray goes on
-                           // behind a surface that blends
-  gl::Texture material;    // RGBA16F: f0 rgb, roughness; -1 for unlit
-  gl::Texture lobes;       // RGBA32UI, only with GpuScene::lobes, see shaders/lib/gbuffer_surface.glsl
-  gl::Texture coat;        // RGBA32F, only with FrameConstants::coats, see shaders/lib/coat.glsl
+  gl::Texture normal;      // RG32UI, see shaders/lib/packed_normal.glsl: shading normal, w reflectivity (faded by
+                       // roughness), or -alpha where a ray goes on behind a surface that blends; 0 without a surface
+  gl::Texture material;  // RGBA16F: f0 rgb, roughness; -1 for unlit
+  gl::Texture lobes;     // RGBA32UI, only with GpuScene::lobes, see shaders/lib/gbuffer_surface.glsl
+  gl::Texture coat;      // RGBA32F, only with FrameConstants::coats, see shaders/lib/coat.glsl
   // These two begin as base color, a occlusion, and emission, a metallic; deferred shading stores over them.
   gl::Texture shaded;           // RGBA32F: deferred radiance, a sky visibility
   gl::Texture reflection;       // RGBA32F: radiance of the traced rays, a 1 if traced
@@ -110,14 +110,14 @@ struct GBuffer {
   // RG32UI array, a layer per 32 direct lights: bits of those that the shadow maps let through somewhere in a pixel's
   // neighborhood, and of those that they hide; in both: in doubt. Only with shadow.method = refined.
   gl::Texture shadowMarks;
-  // With PrimarySettings that test or leave out: pixels whose position.w is -1 are interpolated.
+  // With PrimarySettings that test or leave out: pixels whose material.a is INTERPOLATED are interpolated.
   gl::Texture tested;        // R32UI, takes turns with visibility; only while hits are tested
   gl::Buffer primaryCounts;  // uint[2]: pixels whose triangle a neighbor knew, and that are interpolated
   // uint: the number of the last frame that the GPU has run here, `number` unless it runs nothing or was reset.
   gl::Buffer signature;
   std::uint32_t number = 0;
   std::size_t bytes() const;
-  // What deferred shading reads and stores over, UNIT_POSITION to UNIT_VISIBILITY, UNIT_COAT, UNIT_LOBES if there are
+  // What deferred shading reads and stores over, UNIT_NORMAL to UNIT_VISIBILITY, UNIT_COAT, UNIT_LOBES if there are
   // any, IMAGE_SHADED and IMAGE_REFLECTION.
   void bindSurface() const;
 };

@@ -45,7 +45,6 @@ CubemapTracer::CubemapTracer(const gl::Api& api, const Settings& settings)
 void CubemapTracer::placeProbe(const FrameView& view, const gl::Buffer& probe) const {
   view.constants.bindUniform(UBO_FRAME);
   view.scene.bindTriangles();
-  view.gbuffer.position.bind(UNIT_POSITION);
   view.gbuffer.normal.bind(UNIT_NORMAL);
   view.gbuffer.visibility.bind(UNIT_VISIBILITY);
   probe.bindStorage(SSBO_PROBE);

@@ -36,7 +36,6 @@ PlanarTracer::PlanarTracer(const gl::Api& api, const Settings& settings)
 void PlanarTracer::choosePlane(const FrameView& view, const gl::Buffer& planes) const {
   view.constants.bindUniform(UBO_FRAME);
   view.scene.bindTriangles();
-  view.gbuffer.position.bind(UNIT_POSITION);
   view.gbuffer.normal.bind(UNIT_NORMAL);
   view.gbuffer.visibility.bind(UNIT_VISIBILITY);
   planes.bindStorage(SSBO_PLANES);

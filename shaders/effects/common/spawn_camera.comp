@@ -5,7 +5,7 @@
 void main() {
   ivec2 pixel = bandPixel();
   beginTile();
-  bool surface = all(lessThan(pixel, ivec2(frame.width, frame.height))) && texelFetch(gPosition, pixel, 0).w > 0.0;
+  bool surface = all(lessThan(pixel, ivec2(frame.width, frame.height))) && texelFetch(gVisibility, pixel, 0).x != 0u;
   bool selected = frame.selectMode != 0u && surface;
   queuePixel(pixel, selected, selected && inFraction(pixel));
 }

@@ -12,10 +12,10 @@ uniform int rows;
 void main() {
   ivec2 pixel = ivec2(gl_GlobalInvocationID.xy) + ivec2(0, firstRow);
   if (pixel.x >= int(frame.width) || pixel.y >= firstRow + rows) return;
-  vec4 position = texelFetch(gPosition, pixel, 0);
-  if (position.w <= 0.0) return;
-  vec3 toEye = -fromCamera(position.xyz);
-  uint triangle = texelFetch(gVisibility, pixel, 0).r - 1u;
-  sendToLights(surfaceOfPixel(pixel, position.xyz), normalize(toEye), triangle, uint(pixel.y) * frame.width + uint(pixel.x),
+  uint visible = texelFetch(gVisibility, pixel, 0).x;
+  if (visible == 0u) return;
+  Surface s = surfaceOfPixel(pixel);
+  vec3 toEye = -fromCamera(s.position);
+  sendToLights(s, normalize(toEye), visible - 1u, uint(pixel.y) * frame.width + uint(pixel.x),
                vec3(1.0), length(toEye), 0u);
 }

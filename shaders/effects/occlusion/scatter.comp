@@ -12,7 +12,7 @@ void main() {
   if (index >= rayCount.count) return;
   uint number = pixelOfRay(index);
   ivec2 pixel = ivec2(number % frame.width, number / frame.width);
-  vec3 position = texelFetch(gPosition, pixel, 0).xyz, normal = texelFetch(gNormal, pixel, 0).xyz;
+  vec3 position = surfacePoint(pixel).xyz, normal = facingAt(pixel).xyz;
   uint triangle = texelFetch(gVisibility, pixel, 0).x - 1u;
   vec3 a, b, c;
   trianglePositions(triangle, a, b, c);

@@ -5,8 +5,8 @@
 #include "shared/structs.h"
 
 // What the reflection of something as bright as white adds to the displayed color: 0..1, the largest of its components.
-float wholeContribution(ivec2 pixel, vec4 position, vec4 normal) {
-  Blend blend = blendOf(pixel, position, normal);
+float wholeContribution(ivec2 pixel, vec4 normal) {
+  Blend blend = blendOf(pixel, normal);
   vec3 added = displayed(blend.base + blend.share / frame.exposure) - displayed(blend.base);
   return max(max(added.r, added.g), added.b);
 }
@@ -15,8 +15,8 @@ float wholeContribution(ivec2 pixel, vec4 position, vec4 normal) {
 // same everywhere must not vanish at once.
 const float EQUAL_OCTAVES = 0.25;
 
-float contributionOf(ivec2 pixel, vec4 position, vec4 normal) {
-  return wholeContribution(pixel, position, normal) * exp2(-EQUAL_OCTAVES * scatteredThreshold(uvec2(pixel)));
+float contributionOf(ivec2 pixel, vec4 normal) {
+  return wholeContribution(pixel, normal) * exp2(-EQUAL_OCTAVES * scatteredThreshold(uvec2(pixel)));
 }
 
 uint contributionClass(float contribution) {

@@ -20,9 +20,8 @@ void main() {
   if (index < rayCount.count) {
     uint number = pixelOfRay(index);
     ivec2 pixel = ivec2(number % frame.width, number / frame.width);
-    vec4 position = texelFetch(gPosition, pixel, 0);
-    vec4 normal = texelFetch(gNormal, pixel, 0);
-    if (!goesOn(normal)) atomicAdd(counts[contributionClass(contributionOf(pixel, position, normal))], 1u);
+    vec4 normal = facingAt(pixel);
+    if (!goesOn(normal)) atomicAdd(counts[contributionClass(contributionOf(pixel, normal))], 1u);
   }
   barrier();
   for (uint i = lane; i < uint(CONTRIBUTION_CLASSES); i += gl_WorkGroupSize.x)

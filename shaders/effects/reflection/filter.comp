@@ -23,20 +23,19 @@ void main() {
   if (any(greaterThanEqual(pixel, ivec2(frame.width, frame.height)))) return;
   vec4 traced = texelFetch(gReflection, pixel, 0);
   float roughness = texelFetch(gMaterial, pixel, 0).a;
-  vec4 facing = texelFetch(gNormal, pixel, 0);
+  vec4 facing = facingAt(pixel);
   if (known(traced) && roughness > 0.0 && !goesOn(facing)) {
-    vec4 position = texelFetch(gPosition, pixel, 0);
-    vec3 normal = facing.xyz;
-    float deviation = WIDEST * min(roughness / WIDE_ROUGHNESS, 1.0), pixelWidth = coneWidth(position.w);
+    vec3 position = drawnPoint(pixel), normal = facing.xyz;
+    float deviation = WIDEST * min(roughness / WIDE_ROUGHNESS, 1.0), pixelWidth = coneWidth(drawnDepth(pixel));
     vec4 sum = vec4(0.0);
     float weights = 0.0;
     for (int y = -REACH; y <= REACH; ++y)
       for (int x = -REACH; x <= REACH; ++x) {
         ivec2 other = clamp(pixel + ivec2(x, y), ivec2(0), ivec2(frame.width, frame.height) - 1);
         vec4 light = texelFetch(gReflection, other, 0);
-        vec4 otherFacing = texelFetch(gNormal, other, 0);
+        vec4 otherFacing = facingAt(other);
         float cosine = max(dot(normal, otherFacing.xyz), 0.0);
-        float offPlane = abs(dot(normal, texelFetch(gPosition, other, 0).xyz - position.xyz)) / pixelWidth;
+        float offPlane = abs(dot(normal, drawnPoint(other) - position)) / pixelWidth;
         float unlike = abs(texelFetch(gMaterial, other, 0).a - roughness);
         float weight = exp(-0.5 * float(x * x + y * y) / (deviation * deviation) - offPlane - 40.0 * unlike) *
                        pow(cosine, 64.0);

@@ -26,7 +26,7 @@ void main() {
   uint number = pixelOfRay(index);
   ivec2 pixel = ivec2(number % frame.width, number / frame.width);
   Ray ray = mirrorRay(number);
-  vec4 stored = texelFetch(gNormal, pixel, 0);
+  vec4 stored = facingAt(pixel);
   bool behind = goesOn(stored);
   vec3 fromEye = fromCamera(ray.origin);
   vec3 toEye = -normalize(fromEye);

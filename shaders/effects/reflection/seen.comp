@@ -28,12 +28,12 @@ vec3 shownAt(vec3 position) {
   vec4 clip = frame.viewProjection * vec4(position, 1.0);
   ivec2 size = ivec2(frame.width, frame.height);
   ivec2 pixel = clamp(ivec2(floor((0.5 * clip.xy / clip.w + 0.5) * vec2(size))), ivec2(0), size - 1);
-  vec4 at = texelFetch(gPosition, pixel, 0), normal = texelFetch(gNormal, pixel, 0);
-  Blend blend = blendOf(pixel, at, normal);
+  vec4 normal = facingAt(pixel);
+  Blend blend = blendOf(pixel, normal);
   vec4 traced = texelFetch(gReflection, pixel, 0), material = texelFetch(gMaterial, pixel, 0);
   vec3 light = blend.base + blend.share * (traced.a > 0.0 ? traced.rgb : blend.sky);
-  if (at.w <= 0.0 || material.a < 0.0 || goesOn(normal)) return light;
-  Mirror mirror = mirrorOf(pixel, material, normal.xyz, -normalize(fromCamera(at.xyz)));
+  if (!isSurface(normal) || material.a < 0.0 || goesOn(normal)) return light;
+  Mirror mirror = mirrorOf(pixel, material, normal.xyz, -normalize(pixelRay(pixel)));
   float visibility = texelFetch(gShaded, pixel, 0).a;
   return light + mirror.skyShare * (1.0 - visibility) * hidingTheSky(pixel, normal.xyz, visibility);
 }
@@ -57,6 +57,6 @@ void main() {
   uint number = paths[first].pixel;
   ivec2 pixel = ivec2(number % frame.width, number / frame.width);
   float visibility = texelFetch(gShaded, pixel, 0).a;
-  sum.rgb += max(sum.a - visibility, 0.0) * hidingTheSky(pixel, texelFetch(gNormal, pixel, 0).xyz, visibility);
+  sum.rgb += max(sum.a - visibility, 0.0) * hidingTheSky(pixel, facingAt(pixel).xyz, visibility);
   imageStore(seen, pixel, sum);
 }

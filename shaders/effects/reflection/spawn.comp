@@ -16,18 +16,17 @@ void main() {
   ivec2 pixel = bandPixel();
   beginTile();
   bool selected = false, behind = false;
-  vec4 position = vec4(0.0), normal = vec4(0.0);
+  vec4 normal = vec4(0.0);
   if (all(lessThan(pixel, ivec2(frame.width, frame.height)))) {
-    position = texelFetch(gPosition, pixel, 0);
-    normal = texelFetch(gNormal, pixel, 0);
+    normal = facingAt(pixel);
     bool reflects = frame.selectMode == SELECT_ALL || normal.w > frame.minReflectivity;
     behind = goesOn(normal);
-    selected = frame.selectMode != 0u && position.w > 0.0 && reflects && !behind;
+    selected = frame.selectMode != 0u && isSurface(normal) && reflects && !behind;
   }
   bool kept = selected && inFraction(pixel);
 #ifdef BY_CONTRIBUTION
   if (kept) {
-    float worth = contributionOf(pixel, position, normal);
+    float worth = contributionOf(pixel, normal);
     atomicAdd(contributions[contributionClass(worth)], 1u);
     kept = worth > frame.minContribution;
   }

@@ -31,8 +31,8 @@ Meeting meetingAt(ivec2 pixel, uint triangle) {
 void main() {
   ivec2 pixel = ivec2(gl_GlobalInvocationID.xy) + ivec2(0, firstRow);
   if (pixel.x >= int(frame.width) || pixel.y >= firstRow + rows) return;
-  if (texelFetch(gPosition, pixel, 0).w <= 0.0) return;
-  uint triangle = texelFetch(gVisibility, pixel, 0).x - 1u;
+  uint visible = texelFetch(gVisibility, pixel, 0).x, triangle = visible - 1u;
+  if (visible == 0u) return;
   if ((materials[triangleAt(triangle).w].flags & MATERIAL_TRANSMISSIVE) == 0u) return;
 
   Meeting m = meetingAt(pixel, triangle);

@@ -8,11 +8,12 @@
 
 #define SSBO_PRIMARY_COUNTS 11  // uint[2], see GBuffer::primaryCounts
 
-#define IMAGE_POSITION 2
-#define IMAGE_NORMAL 3
-#define IMAGE_MATERIAL 4
-#define IMAGE_TESTED 5
-#define IMAGE_LOBES 6
-#define IMAGE_COAT 7
+#define INTERPOLATED -2.0  // of GBuffer::material
+
+#define IMAGE_NORMAL 2
+#define IMAGE_MATERIAL 3
+#define IMAGE_TESTED 4
+#define IMAGE_LOBES 5
+#define IMAGE_COAT 6
 
 #endif

@@ -1,6 +1,5 @@
 // Reflecting pixels of the frame, by an even grid of samples.
-#include "lib/gbuffer.glsl"
-#include "lib/triangles.glsl"
+#include "lib/surface_point.glsl"
 
 const ivec2 SAMPLES = ivec2(128, 72);
 
@@ -15,7 +14,7 @@ ReflectingPixel sampledPixel(int number) {
   ivec2 cell = ivec2(number % SAMPLES.x, number / SAMPLES.x);
   ivec2 pixel = (2 * cell + 1) * ivec2(frame.width, frame.height) / (2 * SAMPLES);
   uint seen = texelFetch(gVisibility, pixel, 0).x;
-  float reflectivity = texelFetch(gNormal, pixel, 0).w;
+  float reflectivity = facingAt(pixel).w;
   if (seen == 0u || (frame.selectMode != 2u && reflectivity <= frame.minReflectivity)) return result;
   vec3 a, b, c;
   trianglePositions(seen - 1u, a, b, c);
@@ -23,7 +22,7 @@ ReflectingPixel sampledPixel(int number) {
   float size = length(normal);
   if (size == 0.0) return result;
   result.reflects = true;
-  result.position = texelFetch(gPosition, pixel, 0).xyz;
+  result.position = surfacePoint(pixel).xyz;
   result.normal = normal / (dot(normal, fromCamera(a)) > 0.0 ? -size : size);
   return result;
 }

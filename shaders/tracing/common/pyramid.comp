@@ -3,7 +3,7 @@
 //
 // Where the camera looks through the back of a single-sided material, something that rays may hit lies before what is
 // seen. If such backs count, level 0 has its depth, negative if one of the nine pixels is such a place.
-#include "lib/gbuffer.glsl"
+#include "lib/surface_point.glsl"
 #include "shared/passes/screen.h"
 #include "shared/rays.h"
 
@@ -16,35 +16,37 @@ layout(binding = IMAGE_SCREEN_DEPTHS, r32f) uniform writeonly image2D level;
 uniform int number;  // of the level
 uniform int backsCount;
 
-// Meters along the view axis, from what passes/visibility.vert makes of them.
-float metersOf(float depth) {
-  float near = frame.drawnNear, far = frame.farPlane;
-  if (frame.parallel != 0u) return far - depth * (far - near);
-  if (depth <= 0.0) return FAR_AWAY;
-  return far > 0.0 ? near * far / (depth * (far - near) + near) : near / depth;
-}
-
 // More than rounding.
 const float BEFORE = 0.999;
 
+// The pixels of a group and their neighbors.
+const int TILE = 8 + 2;
+shared float tile[TILE * TILE];
+
 float depthOf(ivec2 pixel) {
   if (any(lessThan(pixel, ivec2(0))) || any(greaterThanEqual(pixel, ivec2(frame.width, frame.height)))) return FAR_AWAY;
-  float depth = texelFetch(gPosition, pixel, 0).w;
-  if (depth < 0.0) return 0.0;  // a surface that nobody knows (PrimarySettings): nothing is certain
-  if (depth == 0.0) depth = FAR_AWAY;
+  if (isInterpolated(pixel)) return 0.0;  // a surface that nobody knows: nothing is certain
+  float depth = surfacePoint(pixel).w;
+  if (depth <= 0.0) depth = FAR_AWAY;
   if (backsCount == 0) return depth;
   float nearest = metersOf(texelFetch(backDepths, pixel, 0).r);
   return nearest < BEFORE * depth ? -nearest : depth;
 }
 
 void main() {
-  ivec2 cell = ivec2(gl_GlobalInvocationID.xy);
+  ivec2 cell = ivec2(gl_GlobalInvocationID.xy), place = ivec2(gl_LocalInvocationID.xy);
+  if (number == 0) {
+    ivec2 corner = cell - place - 1;
+    for (int i = int(gl_LocalInvocationIndex); i < TILE * TILE; i += 64)
+      tile[i] = depthOf(corner + ivec2(i % TILE, i / TILE));
+  }
+  barrier();
   if (any(greaterThanEqual(cell, imageSize(level)))) return;
   float least = FAR_AWAY, sign = 1.0;
   if (number == 0) {
-    for (int y = -1; y <= 1; ++y)
-      for (int x = -1; x <= 1; ++x) {
-        float depth = depthOf(cell + ivec2(x, y));
+    for (int y = 0; y < 3; ++y)
+      for (int x = 0; x < 3; ++x) {
+        float depth = tile[(place.y + y) * TILE + place.x + x];
         least = min(least, abs(depth));
         if (depth < 0.0) sign = -1.0;
       }

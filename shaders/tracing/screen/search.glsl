@@ -2,8 +2,7 @@
 // steps where it stays before all surfaces. In a pixel it is tested against the triangle that the pixel shows, so most
 // hits are where geometry has them; where triangles are smaller than pixels, it is enough that the ray crosses the
 // pixel's depth. What the camera does not see is not there.
-#include "lib/gbuffer.glsl"
-#include "lib/triangle_point.glsl"
+#include "lib/surface_point.glsl"
 #include "shared/rays.h"
 #include "tracing/common/ray_work.glsl"
 #include "tracing/common/screen_ray.glsl"
@@ -16,15 +15,15 @@ const int OWN_PIXELS = 3;
 
 // Where the ray is as far away as the pixel's surface, if that is between the two distances.
 bool crossesDepth(ScreenRay s, ivec2 pixel, float from, float to) {
-  float shown = texelFetch(gPosition, pixel, 0).w;
+  float shown = surfacePoint(pixel).w;
   float first = s.depth + from * s.depthStep, last = s.depth + to * s.depthStep;
   return shown > 0.0 && shown >= min(first, last) && shown <= max(first, last) && s.depthStep != 0.0;
 }
 
 Hit crossing(ScreenRay s, ivec2 pixel, uint triangle) {
-  float t = (texelFetch(gPosition, pixel, 0).w - s.depth) / s.depthStep;
-  vec2 place = pointOnTriangle(triangle, pixelOrigin(pixel), pixelRay(pixel)).barycentrics;
-  return Hit(t, triangle, place.x, place.y);
+  TrianglePoint shown = pointOnTriangle(triangle, pixelOrigin(pixel), pixelRay(pixel));
+  float t = (dot(shown.relative, frame.forward) - s.depth) / s.depthStep;
+  return Hit(t, triangle, shown.barycentrics.x, shown.barycentrics.y);
 }
 
 // The nearest hit, in that range, on what a pixel and its neighbors show.
