@@ -56,7 +56,9 @@ void main() {
     vec3 direction = normalize(point.relative);
     Surface s = evaluateSurface(visible - 1u, point.barycentrics, direction, coneWidth(range), READ_TEXTURES);
 #ifdef TRANSMISSION
-    takeClear(s, direction, s.thin || meetsFront(visible - 1u, direction) ? 1.0 / s.ior : s.ior);
+    bool entering = s.thin || meetsFront(visible - 1u, direction);
+    takeClear(s, direction, entering ? 1.0 / s.ior : s.ior, false);
+    if (!entering && s.transmission > 0.0) s.coat = 0.0;  // of its outside
 #endif
     bool goesOn = frame.blends != 0u && frame.allLight == 0u && s.alpha < 1.0;
     normal = vec4(s.normal, goesOn ? -s.alpha : s.reflectivity);

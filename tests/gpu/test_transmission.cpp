@@ -162,6 +162,32 @@ TEST_F(TransmissionTest, OnlyItsShareOfADielectricIsClear) {
   EXPECT_LT(seen(1).b, 1e-3);
 }
 
+// Under an even sky what a pane reflects, passes and scatters adds up to what arrives, however rough or metallic it is.
+TEST_F(TransmissionTest, AWhiteFurnaceStaysWhite) {
+  for (const char* glossy : {"false", "true"})
+    for (const float metallic : {0.0f, 0.5f, 1.0f})
+      for (const float roughness : {0.0f, 0.5f, 1.0f})
+        for (const float degrees : {0.0f, 60.0f, 75.0f}) {
+          Material material = glass(1.5f, 0);
+          material.baseColor = vec4(1);
+          material.metallic = metallic;
+          material.roughness = roughness;
+          material.doubleSided = true;
+          Scene scene;
+          scene.sky = evenSky(vec3(1));
+          addQuad(scene, {0, 0, 0}, {40, 0, 0}, {0, 0, -40}, addMaterial(scene, material));
+          const float angle = glm::radians(degrees);
+          const Camera camera = lookAt({2 * std::sin(angle), 2 * std::cos(angle), 0.01f}, {0, 0, 0});
+          const vec3 found = middle(see(scene, camera, {{"effect.glossy", glossy}, {"effect.samples", "16"}}));
+          SCOPED_TRACE(std::string(glossy) + " " + std::to_string(metallic) + " " + std::to_string(roughness) + " " +
+                       std::to_string(degrees));
+          EXPECT_LE(found.g, 1.002f);
+          // Rough metal keeps what its facets hide from each other, and what grazing facets reflect less of the sky.
+          if (metallic == 0 && *glossy == 'f') EXPECT_NEAR(found.g, 1, 2e-3);
+          if (roughness == 0) EXPECT_NEAR(found.g, 1, 2e-3);
+        }
+}
+
 // Into a mirror that shows a pane before a wall, on every method whose rays may start there.
 TEST_F(TransmissionTest, IsSeenInMirrorsOnAllMethods) {
   Material pane = glass(1.5f, 0);
@@ -202,6 +228,44 @@ TEST_F(TransmissionTest, LightInsideGlassLeavesItAsFresnelSaysUpToTheCriticalAng
     }
   EXPECT_GT(total, 300);
   EXPECT_GT(partial, 1000);
+}
+
+// A reflectance of 0.04 straight on stays below that threshold; what is reflected as a whole does not.
+TEST_F(TransmissionTest, TotalReflectionIsTracedWhateverIsSelected) {
+  Scene scene;
+  scene.sky = evenSky(vec3(1));
+  addBox(scene, {-40, 0, -40}, {40, 1, 40}, addMaterial(scene, glass(1.5f, 1)));
+  addQuad(scene, {0, 0.1f, 0}, {39, 0, 0}, {0, 0, -39}, addMaterial(scene, unlit({0, 0.25f, 0})));
+  Camera camera = lookAt({0, 0.5f, 0}, {1, 0.9f, 0});
+  camera.nearPlane = 0.01f;
+  const Frame frame = see(scene, camera, {{"select.min_reflectivity", "0.05"}});
+  EXPECT_EQ(middle(frame), vec3(0, 0.25f, 0));
+  EXPECT_GT(frame.report.selected, 100u);
+  EXPECT_LT(frame.report.selected, kPixels);
+}
+
+TEST_F(TransmissionTest, AnEyeInsideOfAVolumeSeesWhatItsBorderReflectsAbsorbedBothWays) {
+  Material amber = glass(1.5f, 1);
+  amber.attenuationColor = {0.8f, 0.5f, 0.2f};
+  amber.attenuationDistance = 2;
+  Scene scene;
+  scene.sky = evenSky(vec3(1));
+  addBox(scene, {-40, 0, -40}, {40, 1, 40}, addMaterial(scene, amber));
+  addQuad(scene, {0, 0.1f, 0}, {39, 0, 0}, {0, 0, -39}, addMaterial(scene, unlit(vec3(1))));
+  Camera camera = lookAt({0, 0.5f, 0}, {1, 1.1f, 0});
+  camera.nearPlane = 0.01f;
+  const Frame frame = see(scene, camera);
+  int total = 0;
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x) {
+      const double cosine = ray(camera, x, y).y;
+      if (cosine < 0.2 || reflectance(cosine, 1.5) < 1) continue;
+      const double way = (0.5 + 0.9) / cosine;  // up, and down to what lies inside
+      ASSERT_NEAR(light(frame, x, y).r, std::pow(0.8, way / 2), 1e-3) << x << " " << y;
+      ASSERT_NEAR(light(frame, x, y).b, std::pow(0.2, way / 2), 1e-3) << x << " " << y;
+      ++total;
+    }
+  EXPECT_GT(total, 300);
 }
 
 // Into the side of a long block: what goes down is reflected by its bottom as a whole, and nothing of what lies below
@@ -347,6 +411,36 @@ TEST_F(TransmissionTest, ACoatLiesOverIt) {
   Material material = glass(1, 0);
   material.coat = 0.5f;
   EXPECT_NEAR(middle(see(slabOverFloor(material), lookAt({0, 3, 0}, {0, 0.9f, 0}))).b, 0.98, 1e-3);
+}
+
+TEST_F(TransmissionTest, AVolumesCoatIsOnItsOutside) {
+  Material material = glass(1, 1);
+  material.coat = 1;
+  Scene scene;
+  scene.sky = evenSky(vec3(1));
+  addBox(scene, {-40, 0, -40}, {40, 1, 40}, addMaterial(scene, material));
+  addQuad(scene, {0, 0.1f, 0}, {39, 0, 0}, {0, 0, -39}, addMaterial(scene, unlit(vec3(0))));
+  Camera camera = lookAt({0, 0.5f, 0}, {0.1f, 1, 0});
+  camera.nearPlane = 0.01f;
+  EXPECT_NEAR(middle(see(scene, camera)).g, 1, 1e-3) << "from inside";
+  camera = lookAt({0, 3, 0}, {0.1f, 0, 0});
+  EXPECT_NEAR(middle(see(scene, camera)).g, 0.04, 1e-3) << "from outside";
+}
+
+// In a mirror, a pane that is black and too rough to be traced.
+TEST_F(TransmissionTest, NoRayIsSentForNothing) {
+  for (const float tint : {0.0f, 0.5f}) {
+    Material pane = glass(1.5f, 0);
+    pane.baseColor = vec4(vec3(tint), 1);
+    pane.roughness = 1;
+    pane.doubleSided = true;
+    Scene scene;
+    scene.sky = evenSky(vec3(1));
+    addQuad(scene, {0, 0, -2}, {9, 0, 0}, {0, 9, 0}, addMaterial(scene, mirrorMaterial()));
+    addQuad(scene, {0, 0, 1}, {9, 0, 0}, {0, 9, 0}, addMaterial(scene, pane));
+    const Frame frame = see(scene, lookAt({0, 0, 0}, {0, 0, -1}));
+    EXPECT_EQ(frame.report.rays[RAY_REFRACTION], tint > 0 ? kPixels : 0u);
+  }
 }
 
 // One that blends covers by its alpha what is seen through it.

@@ -48,7 +48,7 @@ void main() {
   pathLength = m.pathLength;
   path.throughput = m.throughput;
   Surface s = m.s;
-  takeClear(s, ray.direction, indexRatio(m, 1));
+  takeClear(s, ray.direction, indexRatio(m, 1), false);
   if (!underCoat(m)) s.coat = 0.0;
 #elif defined HIT_SURFACES
   Surface s = storedSurface(index, ray, hit);

@@ -47,7 +47,19 @@ void sendOn(Ray ray, RayPath path) {
 #ifdef PIXEL_QUEUE
 const uint raySource = RAYS_OF_PIXELS;
 RayPath loadPath(uint index) {
-  return pixelPath(pixelOfRay(index), index);
+  RayPath path = pixelPath(pixelOfRay(index), index);
+#ifdef TRANSMISSION
+  // What a volume reflects on its inside comes to an eye in there.
+  Ray ray = mirrorRay(path.pixel);
+  uint material = triangleAt(ray.excluded).w;
+  bool volume = (materials[material].flags & (MATERIAL_TRANSMISSIVE | MATERIAL_THIN)) == MATERIAL_TRANSMISSIVE;
+  if (volume && material < MEDIA_MATERIALS && (path.kindAndCounts & 255u) == RAY_REFLECTION &&
+      !meetsFront(ray.excluded, fromCamera(ray.origin))) {
+    path.media = enterMedium(0u, material);
+    path.throughput = throughMedium(path.media, path.pathLength);
+  }
+#endif
+  return path;
 }
 #else
 const uint raySource = RAYS_STORED;
@@ -69,8 +81,8 @@ Way largerWay(Meeting m, RayPath path, Way reflected, vec3 passing, float visibi
   vec3 behind = directionBehind(m, meetInterface(m.direction, m.s.normal, ratio), ratio);
   bool open = clearSurfacesOf(path) < uint(MOST_CLEAR);
   uint counts = countsOf(path) + COUNTED_CLEAR;
-  Way through = Way(passing, behind, skyRadiance(behind, m.s.roughness) * visibility, open, RAY_REFRACTION | counts,
-                    m.behind);
+  Way through = Way(passing, behind, skyRadiance(behind, m.s.roughness) * visibility,
+                    open && any(greaterThan(passing, vec3(0.0))), RAY_REFRACTION | counts, m.behind);
   if (m.before != 0u) {
     reflected.open = open;
     reflected.kindAndCounts = RAY_REFLECTION | counts;
@@ -110,7 +122,7 @@ void main() {
   pathLength = m.pathLength;
   path.throughput = m.throughput;
   Surface s = m.s;
-  vec3 passing = takeClear(s, direction, indexRatio(m, 1));
+  vec3 passing = takeClear(s, direction, indexRatio(m, 1), false);
   if (!underCoat(m)) s.coat = 0.0;
   path.media = m.before;
 #elif defined HIT_SURFACES
@@ -146,8 +158,7 @@ void main() {
 #ifdef TRANSMISSION
     if (m.s.transmission > 0.0) {
       way.direction = directionBefore(m, mirror);
-      passing *= (1.0 - fresnelSchlick(s.f0, -dot(s.normal, direction))) *
-                 (1.0 - filmReflectance(s.coat, -dot(s.coatNormal, direction)));
+      passing *= 1.0 - filmReflectance(s.coat, -dot(s.coatNormal, direction));
       way = largerWay(m, path, way, passing, lit.a, radiance);
     }
 #endif

@@ -39,12 +39,11 @@ void main() {
   float ratio = indexRatio(m, 1);
   Interface border = meetInterface(m.direction, m.s.normal, ratio);
   vec3 direction = directionBehind(m, border, ratio);
-  vec3 passing = takeClear(m.s, m.direction, ratio);
+  vec3 passing = takeClear(m.s, m.direction, ratio, frame.glossySamples != 0u);
   float cosine = -dot(m.s.normal, m.direction);
-  passing *= 1.0 - fresnelSchlick(m.s.f0, cosine);
   vec3 left = 1.0 - reflectionShare(m.s.f0, m.s.roughness, cosine);  // by the blend
 #ifdef COATS
-  if (m.s.coat > 0.0) {
+  if (underCoat(m)) {
     passing *= 1.0 - filmReflectance(m.s.coat, -dot(m.s.coatNormal, m.direction));
     left = vec3(1.0);
   }
