@@ -414,6 +414,28 @@ TEST_F(TransmissionTest, ACoatLiesOverIt) {
   EXPECT_NEAR(middle(see(slabOverFloor(material), lookAt({0, 3, 0}, {0, 0.9f, 0}))).b, 0.98, 1e-3);
 }
 
+// The same where rays find the shadows of what is reflected.
+TEST_F(TransmissionTest, LightByRaysIsAbsorbedOnItsWayToAnEyeInside) {
+  Material amber = glass(1.5f, 1), matte;
+  amber.attenuationColor = {0.8f, 0.5f, 0.2f};
+  amber.attenuationDistance = 2;
+  matte.roughness = 1;
+  matte.metallic = 0;
+  Scene scene;
+  scene.sky = blackSky();
+  scene.lights = {sun({0, -1, 0}, 8)};
+  addBox(scene, {-40, 0, -40}, {40, 1, 40}, addMaterial(scene, amber));
+  addQuad(scene, {0, 0.1f, 0}, {39, 0, 0}, {0, 0, -39}, addMaterial(scene, matte));
+  Camera camera = lookAt({0, 0.5f, 0}, {1, 1.1f, 0});
+  camera.nearPlane = 0.01f;
+  const Pairs byRays = {{"shadow.method", "rays"}};
+  const vec3 found = middle(see(scene, camera, byRays));
+  const vec3 expected = middle(draw(scene, camera, settingsWith({{"trace.effect", "whitted"}}), kWidth, kHeight));
+  EXPECT_GT(expected.r, 0.2f);
+  EXPECT_NEAR(found.r, expected.r, 2e-3);
+  EXPECT_NEAR(found.b, expected.b, 2e-3);
+}
+
 TEST_F(TransmissionTest, AVolumesCoatIsOnItsOutside) {
   Material material = glass(1, 1);
   material.coat = 1;

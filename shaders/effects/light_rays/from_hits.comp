@@ -11,6 +11,7 @@
 #endif
 #ifdef TRANSMISSION
 #include "effects/common/meeting.glsl"
+#include "effects/common/pixel_media.glsl"
 #endif
 
 layout(local_size_x = 64) in;
@@ -37,7 +38,11 @@ void main() {
   if (hit.triangle == NO_TRIANGLE) return;
 #ifdef PIXEL_QUEUE
   Ray ray = queuedRay(index, RAYS_OF_PIXELS);
+#ifdef TRANSMISSION
+  RayPath path = pixelPathInMedia(pixelOfRay(index), 0u);
+#else
   RayPath path = pixelPath(pixelOfRay(index), 0u);
+#endif
 #else
   Ray ray = queuedRay(index, RAYS_STORED);
   RayPath path = paths[index];

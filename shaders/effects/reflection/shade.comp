@@ -14,6 +14,7 @@
 #endif
 #ifdef TRANSMISSION
 #include "effects/common/meeting.glsl"
+#include "effects/common/pixel_media.glsl"
 #endif
 
 layout(local_size_x = 64) in;
@@ -47,19 +48,11 @@ void sendOn(Ray ray, RayPath path) {
 #ifdef PIXEL_QUEUE
 const uint raySource = RAYS_OF_PIXELS;
 RayPath loadPath(uint index) {
-  RayPath path = pixelPath(pixelOfRay(index), index);
 #ifdef TRANSMISSION
-  // What a volume reflects on its inside comes to an eye in there.
-  Ray ray = mirrorRay(path.pixel);
-  uint material = triangleAt(ray.excluded).w;
-  bool volume = (materials[material].flags & (MATERIAL_TRANSMISSIVE | MATERIAL_THIN)) == MATERIAL_TRANSMISSIVE;
-  if (volume && material < MEDIA_MATERIALS && (path.kindAndCounts & 255u) == RAY_REFLECTION &&
-      !meetsFront(ray.excluded, fromCamera(ray.origin))) {
-    path.media = enterMedium(0u, material);
-    path.throughput = throughMedium(path.media, path.pathLength);
-  }
+  return pixelPathInMedia(pixelOfRay(index), index);
+#else
+  return pixelPath(pixelOfRay(index), index);
 #endif
-  return path;
 }
 #else
 const uint raySource = RAYS_STORED;
