@@ -67,7 +67,9 @@ void ShadowMarkPass::dispatch(const gl::Texture& marks) const {
   api_->DispatchCompute(static_cast<GLuint>((shape.width + kTile - 1) / kTile),
                         static_cast<GLuint>((shape.height + kTile - 1) / kTile), static_cast<GLuint>(shape.depth));
   // This dispatch writes marks; the next one, the shading and rays to lights fetch them, the layers read them back.
-  api_->MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
+  // It loads base color and emission, over which the shading stores.
+  api_->MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT |
+                      GL_TEXTURE_UPDATE_BARRIER_BIT);
 }
 
 }  // namespace halfsilver

@@ -7,7 +7,7 @@ const float PLACE_STEPS = 8388606.0, PLACE_ZERO = 8388608.0, NUMBER_STEPS = 3276
 
 uvec2 packNormal(vec4 normal) {
   uvec2 place = uvec2(round(PLACE_STEPS * octahedral(normal.xyz)) + PLACE_ZERO);
-  int number = int(NUMBER_STEPS * clamp(normal.w, -1.0, 1.0));  // never above: it is held against thresholds
+  int number = int(NUMBER_STEPS * clamp(normal.w, -1.0, 1.0));  // rounded down: it is held against thresholds
   if (number == 0) number = int(sign(normal.w));
   return place << 8 | uvec2(number & 255, number >> 8 & 255);
 }

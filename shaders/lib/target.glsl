@@ -16,7 +16,7 @@ ivec2 targetPixel() {
   float near = frame.nearPlane, far = frame.farPlane;
   float depth = far > 0.0 ? near * (far - along) / (along * (far - near)) : near / along;
   if (frame.parallel != 0u) depth = (far - along) / (far - near);
-  depth = clamp(depth, 0.0, 1.0);  // the sky is far away
+  depth = along < FAR_AWAY ? clamp(depth, 0.0, 1.0) : 0.0;  // the sky is far away
   gl_FragDepth = reversedDepth ? depth : 1.0 - depth;
 #endif
   return pixel;

@@ -122,6 +122,7 @@ void LightRays::lightPixels(const FrameView& view, std::span<const Light> lights
                   overBand(fromPixels);
                 });
               });
+    api_->MemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);  // shading stores over what sending the rays has loaded
     shade(band.firstRow, band.rows);
     const auto section = view.profiler.section("shade");
     add_.use();

@@ -92,7 +92,7 @@ struct ShadowMaps {
 };
 
 // One surface per pixel, 56 bytes. Its position is exact, and not stored: the pixel's ray through the triangle, not the
-// rasterizer's interpolation (surfacePoint() in shaders/lib/gbuffer.glsl).
+// rasterizer's interpolation (surfacePoint() in shaders/lib/surface_point.glsl).
 struct GBuffer {
   int width = 0, height = 0;
   gl::Texture depth;       // D32F, of the rasterization; reversed: 1 at the near plane, 0 far away
