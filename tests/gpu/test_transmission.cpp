@@ -6,41 +6,16 @@
 #include <vector>
 
 #include <halfsilver/builtin.h>
-#include "gpu/glass_scenes.h"
 #include "gpu/light_fixture.h"
-#include "gpu/ray_witness.h"
 #include "gpu/small_blocks.h"
 #include "gpu/tracing_scenes.h"
+#include "gpu/transmission_fixture.h"
 
 namespace halfsilver::testing {
 namespace {
 
 using glm::dvec3;
 using glm::vec3;
-using Pairs = std::initializer_list<std::pair<const char*, const char*>>;
-
-constexpr int kWidth = 64, kHeight = 48;
-constexpr std::uint64_t kPixels = static_cast<std::uint64_t>(kWidth) * kHeight;
-
-class TransmissionTest : public WitnessTest {
- protected:
-  static Settings settings(Pairs more = {}) {
-    Settings result = settingsWith({{"trace.effect", "reflection"}});
-    for (const auto& [name, value] : more) set(result, name, value);
-    return result;
-  }
-  Frame see(const Scene& scene, const Camera& camera, Pairs more = {}) {
-    const Frame frame = draw(scene, camera, settings(more), kWidth, kHeight);
-    EXPECT_EQ(frame.report.overflow, 0u);
-    return frame;
-  }
-  static vec3 light(const Frame& frame, int x, int y) {
-    return {frame.at(x, y, "R"), frame.at(x, y, "G"), frame.at(x, y, "B")};
-  }
-  static vec3 middle(const Frame& frame) { return light(frame, kWidth / 2, kHeight / 2); }
-  static dvec3 ray(const Camera& camera, int x, int y) { return pixelRay(camera, x, y, kWidth, kHeight); }
-};
-
 bool warnsOf(const Frame& frame, const char* what) {
   return std::any_of(frame.report.warnings.begin(), frame.report.warnings.end(),
                      [what](const std::string& warning) { return warning.find(what) != std::string::npos; });
@@ -211,64 +186,6 @@ TEST_F(TransmissionTest, IsSeenInMirrorsOnAllMethods) {
   }
 }
 
-TEST_F(TransmissionTest, LightInsideGlassLeavesItAsFresnelSaysUpToTheCriticalAngle) {
-  Scene scene;
-  scene.sky = evenSky(vec3(1));
-  addBox(scene, {-40, 0, -40}, {40, 1, 40}, addMaterial(scene, glass(1.5f, 1)));
-  addQuad(scene, {0, 0.1f, 0}, {39, 0, 0}, {0, 0, -39}, addMaterial(scene, unlit(vec3(0))));  // takes what is reflected
-  Camera camera = lookAt({0, 0.5f, 0}, {1, 1.6f, 0});
-  camera.nearPlane = 0.01f;
-  const Frame frame = see(scene, camera, {{"select.mode", "all"}});
-  int total = 0, partial = 0;
-  for (int y = 0; y < kHeight; ++y)
-    for (int x = 0; x < kWidth; ++x) {
-      const double cosine = ray(camera, x, y).y;
-      if (cosine < 0.3) continue;
-      ASSERT_NEAR(light(frame, x, y).g, 1 - reflectance(cosine, 1.5), 1e-3) << x << " " << y << " " << cosine;
-      ++(reflectance(cosine, 1.5) == 1 ? total : partial);
-    }
-  EXPECT_GT(total, 300);
-  EXPECT_GT(partial, 1000);
-}
-
-// A reflectance of 0.04 straight on stays below that threshold; what is reflected as a whole does not.
-TEST_F(TransmissionTest, TotalReflectionIsTracedWhateverIsSelected) {
-  Scene scene;
-  scene.sky = evenSky(vec3(1));
-  addBox(scene, {-40, 0, -40}, {40, 1, 40}, addMaterial(scene, glass(1.5f, 1)));
-  addQuad(scene, {0, 0.1f, 0}, {39, 0, 0}, {0, 0, -39}, addMaterial(scene, unlit({0, 0.25f, 0})));
-  Camera camera = lookAt({0, 0.5f, 0}, {1, 0.9f, 0});
-  camera.nearPlane = 0.01f;
-  const Frame frame = see(scene, camera, {{"select.min_reflectivity", "0.05"}});
-  EXPECT_EQ(middle(frame), vec3(0, 0.25f, 0));
-  EXPECT_GT(frame.report.selected, 100u);
-  EXPECT_LT(frame.report.selected, kPixels);
-}
-
-TEST_F(TransmissionTest, AnEyeInsideOfAVolumeSeesWhatItsBorderReflectsAbsorbedBothWays) {
-  Material amber = glass(1.5f, 1);
-  amber.attenuationColor = {0.8f, 0.5f, 0.2f};
-  amber.attenuationDistance = 2;
-  Scene scene;
-  scene.sky = evenSky(vec3(1));
-  addBox(scene, {-40, 0, -40}, {40, 1, 40}, addMaterial(scene, amber));
-  addQuad(scene, {0, 0.1f, 0}, {39, 0, 0}, {0, 0, -39}, addMaterial(scene, unlit(vec3(1))));
-  Camera camera = lookAt({0, 0.5f, 0}, {1, 1.1f, 0});
-  camera.nearPlane = 0.01f;
-  const Frame frame = see(scene, camera);
-  int total = 0;
-  for (int y = 0; y < kHeight; ++y)
-    for (int x = 0; x < kWidth; ++x) {
-      const double cosine = ray(camera, x, y).y;
-      if (cosine < 0.2 || reflectance(cosine, 1.5) < 1) continue;
-      const double way = (0.5 + 0.9) / cosine;  // up, and down to what lies inside
-      ASSERT_NEAR(light(frame, x, y).r, std::pow(0.8, way / 2), 1e-3) << x << " " << y;
-      ASSERT_NEAR(light(frame, x, y).b, std::pow(0.2, way / 2), 1e-3) << x << " " << y;
-      ++total;
-    }
-  EXPECT_GT(total, 300);
-}
-
 // Into the side of a long block: what goes down is reflected by its bottom as a whole, and nothing of what lies below
 // is seen; at the far end it comes out as it went in.
 TEST_F(TransmissionTest, RaysInsideAreTotallyReflected) {
@@ -412,42 +329,6 @@ TEST_F(TransmissionTest, ACoatLiesOverIt) {
   Material material = glass(1, 0);
   material.coat = 0.5f;
   EXPECT_NEAR(middle(see(slabOverFloor(material), lookAt({0, 3, 0}, {0, 0.9f, 0}))).b, 0.98, 1e-3);
-}
-
-// The same where rays find the shadows of what is reflected.
-TEST_F(TransmissionTest, LightByRaysIsAbsorbedOnItsWayToAnEyeInside) {
-  Material amber = glass(1.5f, 1), matte;
-  amber.attenuationColor = {0.8f, 0.5f, 0.2f};
-  amber.attenuationDistance = 2;
-  matte.roughness = 1;
-  matte.metallic = 0;
-  Scene scene;
-  scene.sky = blackSky();
-  scene.lights = {sun({0, -1, 0}, 8)};
-  addBox(scene, {-40, 0, -40}, {40, 1, 40}, addMaterial(scene, amber));
-  addQuad(scene, {0, 0.1f, 0}, {39, 0, 0}, {0, 0, -39}, addMaterial(scene, matte));
-  Camera camera = lookAt({0, 0.5f, 0}, {1, 1.1f, 0});
-  camera.nearPlane = 0.01f;
-  const Pairs byRays = {{"shadow.method", "rays"}};
-  const vec3 found = middle(see(scene, camera, byRays));
-  const vec3 expected = middle(draw(scene, camera, settingsWith({{"trace.effect", "whitted"}}), kWidth, kHeight));
-  EXPECT_GT(expected.r, 0.2f);
-  EXPECT_NEAR(found.r, expected.r, 2e-3);
-  EXPECT_NEAR(found.b, expected.b, 2e-3);
-}
-
-TEST_F(TransmissionTest, AVolumesCoatIsOnItsOutside) {
-  Material material = glass(1, 1);
-  material.coat = 1;
-  Scene scene;
-  scene.sky = evenSky(vec3(1));
-  addBox(scene, {-40, 0, -40}, {40, 1, 40}, addMaterial(scene, material));
-  addQuad(scene, {0, 0.1f, 0}, {39, 0, 0}, {0, 0, -39}, addMaterial(scene, unlit(vec3(0))));
-  Camera camera = lookAt({0, 0.5f, 0}, {0.1f, 1, 0});
-  camera.nearPlane = 0.01f;
-  EXPECT_NEAR(middle(see(scene, camera)).g, 1, 1e-3) << "from inside";
-  camera = lookAt({0, 3, 0}, {0.1f, 0, 0});
-  EXPECT_NEAR(middle(see(scene, camera)).g, 0.04, 1e-3) << "from outside";
 }
 
 // In a mirror, a pane that is black and too rough to be traced.
